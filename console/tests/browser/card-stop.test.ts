@@ -121,6 +121,8 @@ it("pro_estop_operator: pressed in a job, released, acknowledged, gone on with: 
   expect((await stateOf(workshop)).motion.at.machine[0]).toBe(x);
   expect((await stateOf(workshop)).io.ports.inputs[0] & 0x40).toBe(0x40);
   await stopped.getByRole("button", { name: "Inputs…" }).click();
+  // Over the one that lay open before.
+  await expect.poll(() => inputs().count()).toBe(2);
   await press(19, false);
   expect((await stateOf(workshop)).io.ports.inputs[0] & 0x40).toBe(0);
   // The other lines of the card too, during the pause: on and off.

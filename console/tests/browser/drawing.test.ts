@@ -30,10 +30,14 @@ const fact = (page: Page, name: string) =>
 
 async function begin(page: Page): Promise<void> {
   await page.getByRole("link", { name: "Draw" }).click();
+  const { drawing } = await stateOf(workshop);
   await page.getByRole("button", { name: "New", exact: true }).click();
   const drop = page.getByRole("button", { name: "Drawing: drop it and begin a new one" });
-  const { drawing } = await stateOf(workshop);
   if (drawing?.changed && drawing.shapes > 0) await drop.click();
+  // The server has begun it: what another one draws from now on is in it.
+  await expect
+    .poll(async () => (await stateOf(workshop)).drawing?.revision)
+    .not.toBe(drawing?.revision);
   await expect.poll(() => fact(page, "Shapes").textContent()).toBe("0");
 }
 
