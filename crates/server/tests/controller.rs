@@ -1,7 +1,7 @@
 //! A machine on a controller: what is done at its own controls is told to pages.
 
 use crate::support::{Page, Shop, Wanted, start};
-use kerf_driver_grbl::fake::Fake;
+use kerf_driver_grbl::fake::{Board, Fake};
 use kerf_program::Axes;
 use serde_json::{Value, json};
 use std::sync::{Arc, Mutex};
@@ -203,4 +203,33 @@ fn a_machine_that_keeps_no_zero_points_says_so() {
     let asked = page.send(act);
     let refused = page.problem(asked);
     assert!(refused.contains("this machine keeps no zero points of its own"), "{refused}");
+}
+
+#[test]
+fn stop_ends_a_file_that_a_controller_runs_from_its_own_card() {
+    let board = Board::hal_with_card(&[("long.nc", "G21\nM3 S9000\nG1 X300 F900\nG1 X0\n")]);
+    let fake = Arc::new(Mutex::new(Fake::of(board, &[])));
+    let files = vec![("short.sbp", "MX,1\n")];
+    let shop = start(Wanted { files, controller: Some(fake.clone()), ..Wanted::default() });
+    let mut page = shop.driver();
+    page.open_file("short.sbp");
+    assert!(fake.lock().unwrap().runs_from_card("long.nc"), "somebody at its panel begins it");
+    let why = |page: &Page| page.shown["machine"]["why"].as_str().unwrap_or("").to_owned();
+    page.until("it is told", |page| why(page).contains("runs a file from its own card"));
+    page.until("it moves", |_| fake.lock().unwrap().position().0[0] > 2.0);
+    assert_eq!(page.run(), None);
+    page.until("nothing begins beside it", |page| {
+        let error = page.shown["job"]["error"].to_string();
+        error.contains("the controller runs long.nc from its own card")
+    });
+
+    assert_eq!(page.act(json!({ "do": "stop" })), None);
+    page.until("it is over", |page| !why(page).contains("card"));
+    let at = || {
+        let fake = fake.lock().unwrap();
+        (fake.spindle(), fake.position())
+    };
+    let stood = at();
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    assert_eq!((stood.0, at()), (None, stood), "it has stood since then");
 }

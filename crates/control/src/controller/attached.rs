@@ -26,6 +26,9 @@ use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
 
+/// Said of a controller that runs a file from its card while nothing of Kerf runs.
+const RUNS_CARD: &str = "it runs a file from its own card: STOP ends it";
+
 /// Steps that come before anything else.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct First {
@@ -212,9 +215,10 @@ impl Controller {
         (connection.take_inputs(), connection.place())
     }
 
-    /// Returns for what it waits at its own controls while nothing runs, in words.
+    /// Returns for what it waits at its own controls while nothing runs, or that it runs a file by itself, in words.
     pub fn waits(&self) -> Option<&'static str> {
-        self.connection.borrow_mut().waits()
+        let waits = self.connection.borrow_mut().waits();
+        waits.or_else(|| self.card_job().map(|_| RUNS_CARD))
     }
 
     /// Returns the zero points that the controller keeps, machine frame.
@@ -317,6 +321,14 @@ impl Controller {
     /// Returns the file that it runs from its card, whoever has begun it.
     pub fn card_job(&self) -> Option<CardJob> {
         self.connection.borrow_mut().link.driver().card_job()
+    }
+
+    /// Ends that file where the machine stands, outputs off.
+    ///
+    /// # Errors
+    /// As [`stop_card`](card::stop_card).
+    pub fn stops_card(&self) -> Result<(), String> {
+        card::stop_card(&mut self.connection.borrow_mut())
     }
 
     /// Follows that file to its end.

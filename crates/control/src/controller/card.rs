@@ -163,7 +163,10 @@ const fn signal(wish: CardWish) -> Signal {
 }
 
 /// Ends the file where the machine stands; its reset switches outputs off.
-fn stop_card(connection: &mut Connection) -> Result<(), String> {
+///
+/// # Errors
+/// It does not say that it has stopped.
+pub fn stop_card(connection: &mut Connection) -> Result<(), String> {
     if connection.link.driver().facts().is_some() {
         connection.stop_at_once();
         return connection.failure.as_ref().map_or(Ok(()), |fault| Err(fault.message.clone()));

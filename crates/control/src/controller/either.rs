@@ -262,6 +262,17 @@ impl Controller {
         }
     }
 
+    /// Ends that file where the machine stands, outputs off.
+    ///
+    /// # Errors
+    /// It does not say that it has stopped.
+    pub fn stops_card(&self) -> Result<(), String> {
+        match self {
+            Self::Followed(controller) => controller.stops_card(),
+            Self::Queued(_) => Ok(()),
+        }
+    }
+
     /// Follows that file to its end.
     ///
     /// # Errors

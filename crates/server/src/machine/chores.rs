@@ -152,6 +152,9 @@ impl Owner {
             let text = "the controller does not wait for a tool any more: it was stopped, and has given the change up";
             self.hub.say(Tone::Note, text);
         }
+        if pressed {
+            self.stop_card();
+        }
         let Workshop { session, workspace, .. } = &mut self.workshop;
         if stopped && AtRest(session).stop(workspace, &driven) {
             self.settle(Machine::clone);

@@ -117,6 +117,20 @@ impl Owner {
         });
     }
 
+    /// Ends a file that the controller runs from its own card, and that nobody here has begun.
+    pub(super) fn stop_card(&mut self) {
+        let Some(controller) = &self.workshop.controller else { return };
+        let Some(job) = controller.card_job() else { return };
+        match controller.stops_card() {
+            Ok(()) => {
+                let text = format!("{} ran from the controller's card, and was stopped", job.name);
+                self.hub.say(Tone::Note, text);
+            }
+            Err(why) => self.hub.say(Tone::Error, why),
+        }
+        self.attend();
+    }
+
     /// The tool is in for which the controller waits.
     pub(super) fn tool_is_in(&mut self) {
         self.driven().borrow_mut().tool_is_in();
@@ -214,6 +228,13 @@ impl Owner {
             let place = Place::line(work.name(), 0);
             let error = Diagnostic::new(Code::NotConnected, place, why).hint(hint);
             return Some(Summary::not_begun(unit, Some(Box::new(error))));
+        }
+        let job = self.workshop.controller.as_ref().and_then(Controller::card_job);
+        if let Some(job) = job {
+            let why = format!("the controller runs {} from its own card", job.name);
+            let hint = "wait for its end, or press STOP";
+            let error = Diagnostic::new(Code::Controller, Place::line(work.name(), 0), why);
+            return Some(Summary::not_begun(unit, Some(Box::new(error.hint(hint)))));
         }
         let homes = matches!(work, Work::Hand(Errand::FindHome(_), _));
         let Workshop { controller, session, .. } = &self.workshop;
