@@ -90,7 +90,7 @@ const openControllerSettings: Action = {
       ? undefined
       : t("The machine keeps no settings by number."),
 };
-/** What was sent to the controller and what it answered. */
+/** Opens the lines that were sent to the controller and its answers. */
 const openControllerLines = sheetAction(
   { kind: "controllerLines" },
   t("Console of the controller: what is sent and answered"),

@@ -25,7 +25,7 @@ const ways: readonly { value: Way; words: string }[] = [
 
 const wordsOf = ({ words }: ControllerLine) => serverWords(words);
 
-/** What was sent to the controller and what it answered, as it passes, and a line to type. */
+/** Shows the lines that are sent to the controller and its answers as they pass, and sends a line that is typed. */
 export function ControllerLinesSheet({ onClose }: { onClose: () => void }) {
   const { screen } = useHands();
   const [routine, setRoutine] = useState(false);

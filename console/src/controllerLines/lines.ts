@@ -8,7 +8,7 @@ export const mostKept = 5000;
 /** Lines that are drawn at most. */
 export const mostShown = 500;
 
-/** Which lines are shown: all, one way, or what went wrong. */
+/** Choice of the lines that are shown: all, one way, or errors. */
 export type Way = "all" | "sent" | "came" | "errors";
 
 /** Lines with further ones behind them, the oldest left out. */
@@ -18,7 +18,7 @@ export const kept = (
 ): readonly ControllerLine[] =>
   further.length === 0 ? before : [...before, ...further].slice(-mostKept);
 
-/** What went wrong; what became of the line itself tells why. */
+/** Kinds of lines that tell of an error; those of the connection tell why. */
 const wrong = new Set<ControllerLine["kind"]>(["error", "alarm", "link"]);
 
 /** The lines that are shown, the last ones of those that are of the way and hold the text. */

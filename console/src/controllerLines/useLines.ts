@@ -13,14 +13,14 @@ export interface Lines {
   readonly lines: readonly ControllerLine[];
   /** Lines that the server does not keep any more. */
   readonly gone: number;
-  /** Why there are none. */
+  /** Reason for which there are none. */
   readonly refusal?: string;
 }
 
 const nothing: Lines = { lines: [], gone: 0 };
 
 /**
- * What passes between Kerf and the controller, as it comes, for as long as somebody looks; with `routine` also reports and
+ * Reads the lines between Kerf and the controller as they come, for as long as somebody looks; with `routine` also reports and
  * each `ok`. Nothing is asked for while it is paused.
  */
 export function useLines(routine: boolean, paused: boolean): Lines {
@@ -39,10 +39,10 @@ export function useLines(routine: boolean, paused: boolean): Lines {
       const address = `/api/lines?since=${since}${routine ? "&routine=1" : ""}`;
       const told = await getJson<ControllerLines>(address, gone.signal);
       if (gone.signal.aborted) return;
-      asked.current = { routine, next: told.next };
-      // A server that has started anew counts anew.
-      const before = (now: Lines) => (told.next < since ? [] : now.lines);
-      setState((now) => ({ lines: kept(before(now), told.lines), gone: told.gone }));
+      // A server that has started anew counts anew: from its first line on.
+      const anew = told.next < since;
+      asked.current = { routine, next: anew ? 0 : told.next };
+      setState((now) => (anew ? nothing : { lines: kept(now.lines, told.lines), gone: told.gone }));
       if (!told.more) await pause(eachMs);
     };
     const follow = async () => {

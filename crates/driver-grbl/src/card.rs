@@ -42,7 +42,7 @@ pub(crate) enum Opening {
     Bytes(Vec<u8>),
 }
 
-/// What is known of the card, and what is done on it.
+/// State of the card: the task under way, and the file that runs.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Card {
     /// The task under way, and its line.

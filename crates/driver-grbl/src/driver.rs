@@ -599,6 +599,10 @@ impl Wired for Grbl {
         said::at_once(byte)
     }
 
+    fn sends_file(&self) -> bool {
+        self.card.uploads()
+    }
+
     fn said(&self, line: &str, is_sent: bool) -> Said {
         if is_sent { Said::plain(LineKind::Line) } else { said::came(line, &self.told) }
     }

@@ -1,4 +1,4 @@
-//! What passes between Kerf and the controller, in words: bytes that are obeyed at once, and kinds of answers.
+//! Words for the bytes and lines between Kerf and the controller: bytes that are obeyed at once, and kinds of answers.
 
 use crate::facts::KnownFacts;
 use kerf_machine::driver::{LineKind, Said};

@@ -109,7 +109,9 @@ fn a_full_card_and_a_stop_end_an_upload_and_nothing_of_it_is_kept() {
     link.driver().fake.card().room = None;
     link.driver().grbl.does_on_card(task()).unwrap();
     looks(&mut link, 5.0, 0.04);
+    assert!(link.driver().grbl.sends_file(), "its bytes are none that are obeyed at once");
     link.driver().grbl.leaves_card();
+    assert!(!link.driver().grbl.sends_file());
     assert_eq!(looks(&mut link, 6.0, 2.0), Some(CardNews::Failed("it was stopped".into())));
     assert!(link.driver().fake.card().files.is_empty());
     assert!(does(&mut link, 8.0, CardTask::List).is_some(), "its line is one of lines again");

@@ -1,4 +1,4 @@
-//! What passes between Kerf and the bridge, in words.
+//! Words for the lines between Kerf and the bridge.
 
 use crate::check;
 use crate::status::{Status, words};

@@ -22,7 +22,7 @@ pub struct CardFile {
     pub name: String,
     /// Its content.
     pub content: Vec<u8>,
-    /// What was noticed while it was made.
+    /// Findings made on the way.
     pub notes: Vec<String>,
 }
 

@@ -87,7 +87,7 @@ impl First {
     }
 }
 
-/// How a controller is begun with.
+/// Steps with which a controller is begun.
 #[derive(Clone, Copy, Debug)]
 pub struct Beginning<'a> {
     /// Steps that come before anything else.

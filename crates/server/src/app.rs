@@ -47,7 +47,7 @@ use std::sync::{Arc, Mutex, OnceLock};
 pub struct App {
     /// Options with which the server was started.
     pub options: Options,
-    /// What was sent to the controller and what it answered; nothing where none speaks in lines.
+    /// Record of the lines to the controller and of its answers; nothing where none speaks in lines.
     pub log: Option<Arc<LineLog>>,
     /// State that pages show.
     pub hub: Arc<Hub>,

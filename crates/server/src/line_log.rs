@@ -1,4 +1,4 @@
-//! What was sent to the controller and what it answered, for pages and for whoever helps.
+//! The record of a controller's lines, for pages and for requests for help.
 
 use crate::app::App;
 use crate::refusal::problem;
@@ -9,19 +9,21 @@ use kerf_wire::{ControllerLine, ControllerLines, Problem, Why};
 /// Lines that a request for help shows.
 const SHOWN: usize = 200;
 
-/// Kinds of lines as pages name them.
-const KINDS: [(LineKind, kerf_wire::LineKind); 10] = [
-    (LineKind::Line, kerf_wire::LineKind::Line),
-    (LineKind::AtOnce, kerf_wire::LineKind::AtOnce),
-    (LineKind::Ask, kerf_wire::LineKind::Ask),
-    (LineKind::Report, kerf_wire::LineKind::Report),
-    (LineKind::Ok, kerf_wire::LineKind::Ok),
-    (LineKind::Error, kerf_wire::LineKind::Error),
-    (LineKind::Alarm, kerf_wire::LineKind::Alarm),
-    (LineKind::Message, kerf_wire::LineKind::Message),
-    (LineKind::Welcome, kerf_wire::LineKind::Welcome),
-    (LineKind::Link, kerf_wire::LineKind::Link),
-];
+/// The kind of a line as pages name it.
+const fn kind_shown(kind: LineKind) -> kerf_wire::LineKind {
+    match kind {
+        LineKind::Line => kerf_wire::LineKind::Line,
+        LineKind::AtOnce => kerf_wire::LineKind::AtOnce,
+        LineKind::Ask => kerf_wire::LineKind::Ask,
+        LineKind::Report => kerf_wire::LineKind::Report,
+        LineKind::Ok => kerf_wire::LineKind::Ok,
+        LineKind::Error => kerf_wire::LineKind::Error,
+        LineKind::Alarm => kerf_wire::LineKind::Alarm,
+        LineKind::Message => kerf_wire::LineKind::Message,
+        LineKind::Welcome => kerf_wire::LineKind::Welcome,
+        LineKind::Link => kerf_wire::LineKind::Link,
+    }
+}
 
 /// Returns `true` for what passes all the time while nothing happens.
 const fn is_routine(kind: LineKind) -> bool {
@@ -48,12 +50,11 @@ pub fn since(app: &App, number: u64, routine: bool) -> Result<ControllerLines, P
 }
 
 fn shown(line: LoggedLine) -> ControllerLine {
-    let kind = KINDS.iter().find(|(kind, _)| *kind == line.kind).map(|(_, shown)| *shown);
     ControllerLine {
         number: line.number as u32,
         at: line.at_ms as f64 / 1000.0,
         sent: line.is_sent,
-        kind: kind.unwrap_or_default(),
+        kind: kind_shown(line.kind),
         text: line.text,
         words: line.words,
     }

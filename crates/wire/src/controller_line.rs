@@ -1,4 +1,4 @@
-//! What was sent to a controller and what it answered.
+//! Lines that were sent to a controller, and its answers.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

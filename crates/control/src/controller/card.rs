@@ -1,7 +1,7 @@
 //! The card of a controller: files on it, and one that the controller runs from it by itself.
 //!
-//! What runs from a card needs nobody: it goes on when Kerf ends and when the line is lost. Whoever follows it sees where the
-//! machine is, and can hold and stop it; a stop is that of a run, and the reset in it ends the file.
+//! A file that runs from a card goes on when Kerf ends and when the line is lost. To follow it is to see the place of the
+//! machine, and to hold and stop it; a stop is that of a run, and the reset in it ends the file.
 
 use super::Connection;
 use super::connection::NAP;
@@ -39,11 +39,11 @@ pub enum CardWish {
 pub struct CardState {
     /// The file, and how far it is.
     pub job: CardJob,
-    /// Where the machine is, machine frame.
+    /// Place of the machine, machine frame.
     pub place: Option<Axes>,
     /// It is held by Kerf.
     pub is_held: bool,
-    /// What it waits for at its own controls.
+    /// Act at its own controls for which it waits.
     pub waits: Option<&'static str>,
     /// The line to it is lost at the moment; the file goes on.
     pub is_lost: bool,

@@ -67,7 +67,7 @@ pub struct Connection {
     pub(super) name: String,
     pub(super) link: Link<Box<dyn Wired>>,
     pub(super) line: Box<dyn Line>,
-    /// What passes on the line.
+    /// Record of the bytes on the line.
     pub(super) log: Arc<LineLog>,
     pub(super) since: Instant,
     pub(super) facts: Facts,

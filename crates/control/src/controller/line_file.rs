@@ -5,12 +5,18 @@ use kerf_machine::driver::LineKind;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
+use std::sync::mpsc::{Sender, channel};
+use std::thread::{JoinHandle, spawn};
 
 /// A day, milliseconds.
 const DAY_MS: u64 = 86_400_000;
 
-/// A file to which lines are written as they pass. Where the disk refuses, the machine goes on.
-pub struct LineFile(BufWriter<File>);
+/// A file to which lines are written as they pass, by a thread of its own: the machine waits for no disk. Where the disk
+/// refuses, the machine goes on.
+pub struct LineFile {
+    lines: Option<Sender<String>>,
+    writes: Option<JoinHandle<()>>,
+}
 
 impl LineFile {
     /// Begins it.
@@ -20,17 +26,28 @@ impl LineFile {
     pub fn create(path: &Path) -> io::Result<Self> {
         let mut file = BufWriter::new(File::create(path)?);
         file.write_all(HEAD.as_bytes())?;
-        Ok(Self(file))
+        let (lines, come) = channel::<String>();
+        let writes = spawn(move || {
+            while let Ok(line) = come.recv() {
+                let all = std::iter::once(line).chain(come.try_iter());
+                all.for_each(|line| drop(writeln!(file, "{line}")));
+                drop(file.flush());
+            }
+        });
+        Ok(Self { lines: Some(lines), writes: Some(writes) })
     }
 
     /// Adds a line.
-    pub fn write(&mut self, line: &LoggedLine) {
-        drop(writeln!(self.0, "{}", line.shown()));
+    pub fn write(&self, line: &LoggedLine) {
+        self.lines.iter().for_each(|lines| drop(lines.send(line.shown())));
     }
+}
 
-    /// Has the disk take what was written.
-    pub fn flush(&mut self) {
-        drop(self.0.flush());
+impl Drop for LineFile {
+    /// The last lines are written.
+    fn drop(&mut self) {
+        self.lines = None;
+        self.writes.take().map(JoinHandle::join).into_iter().for_each(drop);
     }
 }
 

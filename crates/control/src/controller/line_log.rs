@@ -1,4 +1,4 @@
-//! What was sent to a controller and what it answered: kept line by line, the oldest go first.
+//! Record of the lines that were sent to a controller and of its answers; the oldest go first.
 //!
 //! The [`Connection`](super::Connection) writes every byte that passes into it, whatever runs. Whoever wants to look, on another
 //! thread, takes a portion at a time: the lock is never held for longer than it takes to copy one.
@@ -86,7 +86,6 @@ impl LineLog {
         kept.open = Default::default();
         let said = Said::with(LineKind::Link, words.to_owned());
         kept.push(now_ms(), false, String::new(), said);
-        kept.flush();
     }
 
     /// Writes each further line into a file, those that are kept first.
@@ -94,7 +93,7 @@ impl LineLog {
     /// # Errors
     /// The file cannot be written.
     pub fn writes_to(&self, path: &Path) -> io::Result<()> {
-        let mut file = LineFile::create(path)?;
+        let file = LineFile::create(path)?;
         let mut kept = self.lock();
         kept.lines.iter().for_each(|line| file.write(line));
         kept.file = Some(file);
@@ -131,6 +130,10 @@ impl fmt::Debug for LineLog {
 impl Kept {
     fn passes(&mut self, bytes: &[u8], is_sent: bool, driver: &dyn Wired) {
         let at_ms = now_ms();
+        if is_sent && driver.sends_file() {
+            let said = Said::with(LineKind::Line, format!("{} bytes of a file", bytes.len()));
+            return self.push(at_ms, true, String::new(), said);
+        }
         for byte in bytes {
             let at_once = if is_sent { driver.at_once(*byte) } else { None };
             match (at_once, byte) {
@@ -157,10 +160,7 @@ impl Kept {
         let Said { kind, words } = said;
         let words = words.into_owned();
         let line = LoggedLine { number: self.next, at_ms, is_sent, kind, text, words };
-        self.file.iter_mut().for_each(|file| file.write(&line));
-        if matches!(kind, LineKind::Error | LineKind::Alarm) {
-            self.flush();
-        }
+        self.file.iter().for_each(|file| file.write(&line));
         self.next += 1;
         self.bytes += line.bytes();
         self.lines.push_back(line);
@@ -168,10 +168,6 @@ impl Kept {
             let Some(oldest) = self.lines.pop_front() else { break };
             self.bytes -= oldest.bytes();
         }
-    }
-
-    fn flush(&mut self) {
-        self.file.iter_mut().for_each(LineFile::flush);
     }
 }
 
@@ -256,6 +252,7 @@ mod tests {
         log.writes_to(&path).unwrap();
         log.passes(b"$H\n", true, &grbl);
         log.passes(b"ALARM:8\n", false, &grbl);
+        drop(log);
         let text = std::fs::read_to_string(&path).unwrap();
         let behind = |line: &str| line.get(13..).unwrap_or_default().to_owned();
         let lines: Vec<_> = text.lines().skip(1).map(behind).collect();

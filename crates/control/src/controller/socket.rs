@@ -21,7 +21,7 @@ pub struct Socket {
     pub port: String,
     /// Opens the port.
     pub opens: Opens,
-    /// What was sent to it and what it answered, whichever connection did so.
+    /// Record of the lines that any connection to it sent, and of its answers.
     pub log: Arc<LineLog>,
 }
 

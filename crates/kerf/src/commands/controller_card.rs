@@ -21,7 +21,7 @@ use serde_json::json;
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
-/// What is done on the card.
+/// Act on the card.
 #[derive(Clone, Debug, Subcommand)]
 pub enum CardAction {
     /// Lists the files

@@ -40,7 +40,7 @@ pub enum CardTask {
     },
 }
 
-/// What became of a task so far.
+/// News of a task.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CardNews {
     /// So many bytes of so many are there.

@@ -484,6 +484,11 @@ pub trait Wired: Driver {
         None
     }
 
+    /// Returns `true` while bytes of a file go to the controller, which are neither lines nor obeyed.
+    fn sends_file(&self) -> bool {
+        false
+    }
+
     /// Tells what a line is that was sent to the controller, or came from it.
     fn said(&self, _line: &str, is_sent: bool) -> Said {
         Said::plain(if is_sent { LineKind::Line } else { LineKind::Message })

@@ -28,7 +28,7 @@ pub enum LineKind {
     Link,
 }
 
-/// What a line is, with words beside it where the line itself has only a number.
+/// Kind of a line, with words beside it where the line itself has only a number.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Said {
     /// Its kind.

@@ -40,7 +40,7 @@ pub struct Hand {
     reach: [Option<(f64, f64)>; AXES],
     /// Ways still to go.
     legs: VecDeque<Leg>,
-    /// What a warm-up does, and whether its spindle may turn.
+    /// Commands of a warm-up that are left; `turns` tells whether its spindle may turn.
     warms: VecDeque<Command>,
     turns: bool,
     /// Legs of the rest of the way, while the machine is stopped.

@@ -24,7 +24,7 @@ pub struct WarmStep {
 /// Reads steps as they are kept: `25:2, 50:2`, percent and minutes.
 ///
 /// # Errors
-/// What is wrong with which step, with the mend.
+/// Fault of a step, with the mend.
 pub fn warm_steps(text: &str) -> Result<Vec<WarmStep>, String> {
     let steps: Result<Vec<_>, _> = text.split(',').map(|step| read(step.trim())).collect();
     let steps = steps?;
@@ -47,7 +47,7 @@ fn read(step: &str) -> Result<WarmStep, String> {
     if is_sound { Ok(WarmStep { percent, minutes }) } else { Err(wrong()) }
 }
 
-/// What is done for the steps, in order. Where the speed is set by hand, the spindle is on for the time alone.
+/// Commands for the steps, in order. Where the speed is set by hand, the spindle is on for the time alone.
 pub(super) fn commands(steps: &[WarmStep], greatest_rpm: f64) -> VecDeque<Command> {
     let all_min: f64 = steps.iter().map(|step| step.minutes).sum();
     let (mut left_min, mut out) = (all_min, VecDeque::new());

@@ -24,6 +24,7 @@ export const cardSentences: Readonly<Record<string, string>> = {
     "'{0}' ist kein Name für ihre Karte: sie nimmt kein {1} darin",
   "its firmware takes no files on this line: build it with YMODEM, or put the file on the card in this computer":
     "ihre Firmware nimmt auf dieser Leitung keine Dateien: sie mit YMODEM bauen, oder die Datei in diesem Rechner auf die Karte schreiben",
+  "{0} bytes of a file": "{0} Bytes einer Datei",
   "{0} is empty": "{0} ist leer",
   "line {0} of the file was refused: {1}": "Zeile {0} der Datei wurde abgelehnt: {1}",
   "there is no card in it, or none that it can read":

@@ -1,4 +1,4 @@
-/** What becomes of lines between Kerf and a controller, and the names of bytes that it obeys at once. */
+/** Sentences about lines between Kerf and a controller, and the names of bytes that it obeys at once. */
 
 export const controllerLineSentences: Readonly<Record<string, string>> = {
   "nothing is sent in lines here: the machine is simulated, or a board that is told each step":

@@ -81,7 +81,7 @@ impl MachineArgs {
         ]
     }
 
-    /// How the controller is begun with.
+    /// Steps with which the controller is begun.
     pub fn beginning(&self) -> Beginning<'_> {
         Beginning { first: self.first, quiet: self.quiet(), log: self.controller_log.as_deref() }
     }
