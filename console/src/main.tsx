@@ -4,6 +4,7 @@ import "./theme/tokens.css";
 import "./theme/base.css";
 import "./ui/families.css";
 import { StrictMode } from "react";
+import { flushSync } from "react-dom";
 import { createRoot } from "react-dom/client";
 import { App } from "./app/App";
 import { createScreen } from "./app/screen";
@@ -27,9 +28,13 @@ hands.link.shown.watch(() => {
 
 const page = document.getElementById("page");
 if (page) {
-  createRoot(page).render(
-    <StrictMode>
-      <App hands={hands} />
-    </StrictMode>,
+  const root = createRoot(page);
+  // Shown before the browser tells that the page is loaded, so that STOP is heard from the first moment.
+  flushSync(() =>
+    root.render(
+      <StrictMode>
+        <App hands={hands} />
+      </StrictMode>,
+    ),
   );
 }

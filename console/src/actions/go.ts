@@ -24,7 +24,8 @@ const sheetAction = (sheet: Sheet, title: string, keys: readonly string[]): Acti
   keys,
   // A letter is typed where somebody types; other keys mean a sheet wherever they are pressed.
   everywhere: keys.every((key) => key.length > 1),
-  run: ({ screen }) => screen.open(sheet),
+  // Each one that is opened is another: what closes an earlier one leaves it open.
+  run: ({ screen }) => screen.open({ ...sheet }),
 });
 
 export const openFiles = sheetAction({ kind: "files" }, t("Open a file"), ["Ctrl+O"]);

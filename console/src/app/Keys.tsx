@@ -1,4 +1,4 @@
-import { useEffect } from "react";
+import { useLayoutEffect } from "react";
 import { attempt, perform } from "../actions/action";
 import { actionOfKey } from "../actions/keys";
 import { hold, spaceBar } from "../actions/machine";
@@ -7,12 +7,12 @@ import { otherVersion } from "../link/version";
 import { useHands, worldOf } from "./context";
 import { isSwitch, leave, takesKeys, takesText } from "./typing";
 
-/** Hears the keys of the whole page. */
+/** Hears the keys of the whole page, from the moment at which it is shown: none is lost before. */
 export function Keys() {
   useSpaceBar();
   useFields();
   const hands = useHands();
-  useEffect(() => {
+  useLayoutEffect(() => {
     const hear = (event: KeyboardEvent) => {
       if (event.defaultPrevented) return;
       const world = worldOf(hands);
@@ -35,7 +35,7 @@ export function Keys() {
  */
 function useSpaceBar(): void {
   const hands = useHands();
-  useEffect(() => {
+  useLayoutEffect(() => {
     const hear = (event: KeyboardEvent) => {
       if (event.key !== " " || takesText(event.target)) return;
       event.preventDefault();
@@ -54,7 +54,7 @@ function useSpaceBar(): void {
 
 /** Escape leaves a field of text, so that the space bar is STOP; Enter switches what the space bar did. */
 function useFields(): void {
-  useEffect(() => {
+  useLayoutEffect(() => {
     const hear = (event: KeyboardEvent) => {
       const { key, target, defaultPrevented } = event;
       if (defaultPrevented) return;

@@ -34,7 +34,7 @@ function useFirstSheet(file: string | undefined) {
     });
     return () => {
       unwatch();
-      if (screen.get().sheet === sheet) screen.open(null);
+      screen.close(sheet);
     };
   }, [file, hands]);
 }

@@ -95,6 +95,8 @@ export interface Notice {
 export interface Screen extends Store<ScreenState> {
   go(route: Route): void;
   open(sheet: Sheet | null): void;
+  /** Closes this sheet; another one that was opened meanwhile stays. */
+  close(sheet: Sheet | null): void;
   /** Opens the calculator for the field that has the focus, or closes it. */
   calculate(open: boolean): void;
   /** Shows the hand console, or puts it away. */
@@ -158,6 +160,7 @@ export function createScreen(): Screen {
       store.update((now) => ({ ...now, route, sheet: null, calculator: null }));
     },
     open: (sheet) => store.update((now) => ({ ...now, sheet })),
+    close: (sheet) => store.update((now) => (now.sheet === sheet ? { ...now, sheet: null } : now)),
     calculate(open) {
       const focused = document.activeElement;
       const field = focused instanceof HTMLInputElement ? focused : null;

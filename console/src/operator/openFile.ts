@@ -9,17 +9,20 @@ import { baseOf, parentOf } from "./folder";
 
 /** Opens a drawing on its own screen; the one on the sheet goes. */
 export async function openDrawing(hands: Hands, name: string): Promise<void> {
+  const { screen } = hands;
+  const { sheet } = screen.get();
   if (!(await ask(worldOf(hands), { do: "draw", op: { op: "open", name } }))) return;
-  hands.screen.open(null);
-  hands.screen.go("/draw");
+  screen.close(sheet);
+  screen.go("/draw");
 }
 
 /** Opens a program or a job to be run: with the sheet of FP where there are command keys. */
 export async function openToRun(hands: Hands, name: string, folder: string): Promise<void> {
   const { screen } = hands;
+  const { sheet } = screen.get();
   const named = screen.get().face === "full" ? await namedForFp(hands, name, folder) : "";
   if (named) return screen.open({ kind: "command", letters: "FP", given: [named] });
-  if (await ask(worldOf(hands), { do: "open", name })) screen.open(null);
+  if (await ask(worldOf(hands), { do: "open", name })) screen.close(sheet);
 }
 
 /** A file as FP names it; nothing where FP does not find it. The owner's choice of a file chooses its folder too (FS). */

@@ -257,3 +257,23 @@ it("an earlier version is looked at before it is brought back", async () => {
     .click();
   await expect.poll(() => read("other.sbp")).toBe("MX,7\n");
 });
+
+it("a file that opens late does not close the list that was opened again meanwhile", async () => {
+  const late = await openWorkshop({ lagMs: 1500, parts: ["01-first-cut/first-cut.sbp"] });
+  const slow = await late.page();
+  const list = slow.getByRole("dialog", { name: "Part folder" });
+  await slow.locator(".state", { hasText: "Disarmed" }).waitFor();
+  await slow.keyboard.press("Control+o");
+  await list.getByRole("option", { name: /first-cut/ }).click();
+  await slow.keyboard.press("Escape");
+  await list.waitFor({ state: "detached" });
+  await slow.keyboard.press("Control+o");
+  await list.waitFor();
+  await until(
+    async () => (await stateOf(late)).opened !== null,
+    "it is opened, and the page knows",
+  );
+  await slow.waitForTimeout(300);
+  expect(await list.count()).toBe(1);
+  await late.close();
+});

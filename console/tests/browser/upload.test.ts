@@ -219,6 +219,7 @@ it("pro_send_http: files are dropped onto the list, or anywhere on the page", as
   await press("Replace");
   // A file that is brought alone is opened, which closes the list.
   await until(async () => bytes("in.rsm").toString() === "other", "it is replaced");
+  await page.getByRole("dialog").waitFor({ state: "detached" });
   expect(bytes("in.rsm").toString()).toBe("other");
   expect(page.url()).toBe(`${workshop.address}/help`);
 });
