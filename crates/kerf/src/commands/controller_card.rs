@@ -1,6 +1,6 @@
 //! `kerf machine card`: the card of a controller, whose files it runs by itself.
 
-use super::by_hand::{Shop, not_beside_a_server};
+use super::shop::{Shop, not_beside_a_server};
 use super::which::Which;
 use crate::args::Format;
 use crate::controller::{self, First, socket};

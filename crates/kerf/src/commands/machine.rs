@@ -3,8 +3,9 @@
 use super::which::Which;
 use crate::args::Format;
 use crate::commands::board::{self, SettingsAction};
-use crate::commands::by_hand::{self, MoveArgs, ServerArgs, SpecialHeight};
+use crate::commands::by_hand::{self, MoveArgs, ServerArgs};
 use crate::commands::controller_card::{self, CardAction};
+use crate::commands::datum::{self, SpecialHeight};
 use crate::commands::tool_table::{self, ToolsAction};
 use crate::commands::zeros::{self, ZerosAction};
 use crate::commands::{known_boards, pace, protect, prove, step_board, wire};
@@ -243,7 +244,7 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         }
         Action::WarmUp { steps, there } => return by_hand::warm_up(&args.which, steps, *there),
         Action::Move(moves) => return by_hand::moves(&args.which, moves),
-        Action::Zset { height, to, by } => return by_hand::zset(&args.which, *height, *to, *by),
+        Action::Zset { height, to, by } => return datum::zset(&args.which, *height, *to, *by),
         Action::Pos => return by_hand::pos(&args.which),
         Action::Connect { more } => return connect(more, &args.which),
         Action::Wire { board, into, known } => {
@@ -268,7 +269,7 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Card { action } => return card(&args.which, action.as_ref()),
         Action::Pace { forget } => return pace::run(&args.which, *forget),
         Action::Tools { action } => return tool_table::run(&args.which, action.as_ref()),
-        Action::Origin { place } => return by_hand::origin(&args.which, place.as_deref()),
+        Action::Origin { place } => return datum::origin(&args.which, place.as_deref()),
         Action::Password { off } => protect::change(&args.which.to_change()?, *off)?,
     }
     Ok(Exit::Good)

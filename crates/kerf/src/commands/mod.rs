@@ -1,5 +1,6 @@
 //! The subcommands, one file each.
 
+mod axis_words;
 mod board;
 mod by_hand;
 mod card;
@@ -7,6 +8,7 @@ mod check;
 mod controller_card;
 mod controller_settings;
 mod convert;
+mod datum;
 mod draw;
 mod explain;
 mod fmt;
@@ -32,6 +34,7 @@ mod sb3;
 mod send;
 mod serve;
 mod settings;
+mod shop;
 mod step_board;
 mod sysvars;
 mod time;

@@ -1,7 +1,7 @@
 //! `kerf machine pace`: what runs have shown of the time that a controller takes.
 
-use super::by_hand::not_beside_a_server;
 use super::machine::controller;
+use super::shop::not_beside_a_server;
 use super::which::Which;
 use crate::exit::Exit;
 use crate::{out, setup};

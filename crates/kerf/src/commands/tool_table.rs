@@ -1,6 +1,6 @@
 //! `kerf machine tools`: the tools by their numbers.
 
-use super::by_hand::{Shop, not_beside_a_server};
+use super::shop::{Shop, not_beside_a_server};
 use super::which::Which;
 use crate::exit::{Exit, Usage};
 use crate::{out, parse};

@@ -1,7 +1,8 @@
 //! `kerf machine zeros`: the zero points that a controller keeps.
 
-use super::by_hand::{Shop, not_beside_a_server, numbers};
+use super::axis_words::numbers;
 use super::machine::controller as named_controller;
+use super::shop::{Shop, not_beside_a_server};
 use super::which::Which;
 use crate::controller::First;
 use crate::exit::{Exit, Usage};

@@ -15,159 +15,30 @@
 
 mod card;
 pub mod conformance;
+mod facts;
 mod link;
 mod offsets;
+mod order;
 mod said;
 mod told_setting;
 mod touch_off;
+mod trouble;
 mod zero;
 
 pub use card::{CardAnswer, CardFile, CardJob, CardNews, CardTask};
+pub use facts::Facts;
 pub use link::{Link, LinkNews, LinkState, Troubles};
 pub use offsets::Offsets;
+pub use order::{Order, Override, Sent, Shares, Signal, Ticket, is_sound, way_mm};
 pub use said::{LineKind, Said};
 pub use told_setting::ToldSetting;
 pub use touch_off::TouchOff;
+pub use trouble::Trouble;
 pub use zero::{Zero, ZeroChange};
 
 /// Planners of controllers that plan for themselves.
 pub use kerf_motion::controllers as planners;
 pub use kerf_program::{AXES, Axes, Axis, decimal, rounded};
-use kerf_program::{Gauge, HeightLaw};
-use std::borrow::Cow;
-
-/// The number of an order; they count up from 1.
-pub type Ticket = u32;
-
-/// An order that a controller can be given.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Order {
-    /// A straight move, mm and mm/s (degrees and degrees/s of rotary axes).
-    Move {
-        /// Target, machine frame.
-        to: Axes,
-        /// Highest speed.
-        speed_mm_s: f64,
-    },
-    /// A straight move beside the work, which the feed override does not change. Where its speed is the greatest that the
-    /// controller goes, it is a rapid move of the controller.
-    Jog {
-        /// Target, machine frame.
-        to: Axes,
-        /// Highest speed.
-        speed_mm_s: f64,
-    },
-    /// An arc in X and Y, on which Z moves in proportion to the angle; of a controller that [makes arcs](Facts::arcs).
-    Arc {
-        /// Target, machine frame.
-        to: Axes,
-        /// Centre in X and Y, machine frame.
-        centre: [f64; 2],
-        /// Swept angle, positive counter-clockwise, a turn at most.
-        sweep_rad: f64,
-        /// Highest speed along the arc.
-        speed_mm_s: f64,
-    },
-    /// A straight move that ends where the probe gets contact, or loses it: the machine stands at the very place, or at the
-    /// end where nothing changed. No order is under way beside it.
-    Probe {
-        /// Target, machine frame.
-        to: Axes,
-        /// Highest speed.
-        speed_mm_s: f64,
-        /// The state of the probe that ends it.
-        active: bool,
-    },
-    /// Switches an output.
-    Output {
-        /// Its line.
-        line: u8,
-        /// Its state from then on.
-        on: bool,
-    },
-    /// Sets the speed of the spindle; it need not turn.
-    Spindle {
-        /// Revolutions a minute.
-        rpm: f64,
-    },
-    /// Goes home with all axes that can.
-    Home,
-    /// Takes orders again after an alarm, without being homed.
-    Unlock,
-}
-
-impl Order {
-    /// Returns where it leads, machine frame; nothing where it is no move to a place.
-    pub const fn to(&self) -> Option<Axes> {
-        match self {
-            Self::Move { to, .. }
-            | Self::Jog { to, .. }
-            | Self::Arc { to, .. }
-            | Self::Probe { to, .. } => Some(*to),
-            Self::Output { .. } | Self::Spindle { .. } | Self::Home | Self::Unlock => None,
-        }
-    }
-}
-
-/// A share that the operator turns at a controller, percent.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Override {
-    /// Of the speed of rapid moves, up to 100. A controller of few steps takes the next one below.
-    Rapid(u8),
-    /// Of the speed of the spindle.
-    Spindle(u8),
-}
-
-/// Shares at which a controller makes what it is told, percent.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Shares {
-    /// Of the speed of cuts.
-    pub feed: u8,
-    /// Of the speed of rapid moves.
-    pub rapid: u8,
-    /// Of the speed of the spindle.
-    pub spindle: u8,
-}
-
-impl Default for Shares {
-    fn default() -> Self {
-        Self { feed: 100, rapid: 100, spindle: 100 }
-    }
-}
-
-/// A request outside the row of orders, carried out at once.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Signal {
-    /// Tell where you are.
-    Ask,
-    /// Slow down on the path and wait.
-    Hold,
-    /// Go on.
-    Resume,
-    /// Nothing runs: whoever moves you now does it by hand, also while you [wait for a tool](Wired::waits_for_tool).
-    ByHand,
-    /// The tool is in for which you [wait](Wired::waits_for_tool).
-    ToolIn,
-    /// Touch it off by yourself, as far as you [do such](Wired::touch_off).
-    TouchOff,
-    /// Nobody puts it in: give the change of tools up.
-    ToolOff,
-    /// Slow down, forget every order that is not done, switch outputs off.
-    Stop,
-    /// Make moves at so many percent of the speed that was ordered, from now on.
-    Feed(u8),
-    /// The operator turns something else.
-    Override(Override),
-}
-
-/// An order with its ticket.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sent {
-    /// Its ticket.
-    pub ticket: Ticket,
-    /// The order.
-    pub order: Order,
-}
 
 /// State of a controller: its place, motion, outputs and progress.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -230,86 +101,6 @@ pub trait Driver {
     }
 }
 
-/// Facts that a controller told of itself.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Facts {
-    /// Name it gives itself, with its version.
-    pub name: String,
-    /// Number of its axes, X first.
-    pub axes: usize,
-    /// The fastest each axis goes, mm/s; `None` where it did not say.
-    pub speed_mm_s: [Option<f64>; AXES],
-    /// Range of each axis, its own machine frame, mm; `None` where it does not check.
-    pub travel_mm: [Option<(f64, f64)>; AXES],
-    /// It knows where it is only after it was homed.
-    pub homes: bool,
-    /// Greatest distance of an arc's chord from the arc, mm.
-    pub arc_tolerance_mm: f64,
-    /// It makes arcs by itself ([`Order::Arc`]).
-    pub arcs: bool,
-    /// Outputs it has, a bit each, line 1 lowest.
-    pub outputs: u32,
-    /// PWM channels it has, a bit each, channel 1 lowest.
-    pub pwm: u32,
-    /// The reason for which it has no spindle, in words; empty where it has one, or tells none.
-    pub no_spindle: &'static str,
-    /// Inputs of which it tells, a bit each, input 1 lowest.
-    pub inputs: u32,
-    /// Nothing is on when its line is opened: it starts then, or switched off when the line ended.
-    pub is_fresh: bool,
-    /// The input at whose change it stops by itself, and latches the place ([`Order::Probe`]); nothing where it has none.
-    pub probe: Option<u8>,
-    /// The fastest its spindle turns, revolutions a minute.
-    pub spindle_rpm: f64,
-    /// It changes the speed of moves that it has (feed override).
-    pub overrides: bool,
-    /// A change of feed waits until the machine stands, while it watches inputs.
-    pub feed_waits: bool,
-    /// The output of its spindle can be a laser's, whose power follows the speed.
-    pub follows_speed: bool,
-    /// Z follows a sheet by the voltage of a torch (height control).
-    pub follows_voltage: bool,
-    /// Z follows a sheet by two switches of its head (height control).
-    pub follows_switches: bool,
-    /// Z goes down and up by the input of a torch (VH), and the machine tells how far.
-    pub follows_torch: bool,
-    /// It changes the speed of its rapid moves, and that of its spindle, by itself ([`Override`]).
-    pub overrides_more: bool,
-    /// It stops on its path and goes on from there, with its outputs as they are (feed hold).
-    pub holds: bool,
-    /// Its stop switches every output off.
-    pub stop_switches_off: bool,
-    /// It passes corners at a speed of its own: the plan of all moves up to the next stand is one piece, and it does not wait for
-    /// the plan at corners where that stands.
-    pub plans_corners: bool,
-    /// It is given all moves up to the next stand at once: it stands wherever it has to wait for more.
-    pub takes_whole: bool,
-    /// A repeated run gives the same inputs, so that they need no place on record.
-    pub repeats: bool,
-    /// Its place comes from the record of the last run; every other machine tells its own.
-    pub placed_by_record: bool,
-    /// Its planner, where it plans for itself and has told how it is set: by it the time of a run is told.
-    pub planner: Option<planners::OwnPlanner>,
-    /// A run may tell of a move so long before it is made, seconds.
-    pub leads_s: f64,
-    /// Its switches are moved here: of every other machine they are moved where they are.
-    pub inputs_by_hand: bool,
-    /// The bits of its card are switched one at a time, and its motors stepped once.
-    pub card: bool,
-    /// Nothing real hangs on it: nobody is hurt by what it does.
-    pub harmless: bool,
-}
-
-impl Facts {
-    /// Tells whether Z follows a sheet by a law.
-    pub const fn follows(&self, law: &HeightLaw) -> bool {
-        match law.gauge {
-            Gauge::Simple { .. } => self.follows_switches,
-            Gauge::Proportional { .. } => self.follows_voltage,
-        }
-    }
-}
-
 /// A hold that was ordered ([`Signal::Hold`]).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Hold {
@@ -333,56 +124,6 @@ pub struct Changed {
     pub was: u32,
     /// Its value from then on.
     pub is: u32,
-}
-
-/// Reason for which a controller does nothing more.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum Trouble {
-    /// It stopped by itself; whether it knows where it is.
-    #[error("alarm {number}: {why}")]
-    Alarm {
-        /// Its number.
-        number: u16,
-        /// In words.
-        why: Cow<'static, str>,
-        /// Steps may be lost.
-        lost: bool,
-    },
-    /// It was locked when it was connected.
-    #[error("it is locked: {why}")]
-    Locked {
-        /// The reason, and the way to end it.
-        why: &'static str,
-    },
-    /// It cannot be driven in the state that it is set to.
-    #[error("{why}")]
-    Unfit {
-        /// The reason, and the way to mend it.
-        why: &'static str,
-    },
-    /// The machine is at another place than ordered, and knows it.
-    #[error("{why}: a line was garbled on its way, look at the cable")]
-    Elsewhere {
-        /// Words for it.
-        why: &'static str,
-    },
-    /// It refused an order.
-    #[error("error {number}: {why}")]
-    Refused {
-        /// Its number; 0 when the order was not even sent.
-        number: u16,
-        /// In words.
-        why: Cow<'static, str>,
-    },
-    /// The line was gone, and nobody knows how far the controller has come with what was sent; it knows its place.
-    #[error("the line was gone for a while, and {why}")]
-    Gap {
-        /// The reason why the work cannot go on.
-        why: &'static str,
-    },
-    /// The controller restarted during work: its place may be wrong.
-    #[error("it was reset while it was at work")]
-    Restarted,
 }
 
 /// A driver whose controller hangs on a line of bytes. Whoever owns the line moves them.
@@ -566,56 +307,5 @@ impl<D: Wired + ?Sized> Driver for Box<D> {
 
     fn window(&self) -> usize {
         (**self).window()
-    }
-}
-
-/// Returns `true` if an order can be carried out by some machine.
-pub fn is_sound(order: &Order) -> bool {
-    match order {
-        Order::Move { to, speed_mm_s }
-        | Order::Jog { to, speed_mm_s }
-        | Order::Probe { to, speed_mm_s, .. } => {
-            to.0.iter().all(|v| v.is_finite()) && speed_mm_s.is_finite() && *speed_mm_s > 0.0
-        }
-        Order::Arc { to, centre, sweep_rad, speed_mm_s } => {
-            let numbers = to.0.iter().chain(centre).chain([sweep_rad, speed_mm_s]);
-            numbers.into_iter().all(|v| v.is_finite()) && *speed_mm_s > 0.0 && *sweep_rad != 0.0
-        }
-        Order::Output { line, .. } => (1..=u32::BITS as u8).contains(line),
-        Order::Spindle { rpm } => rpm.is_finite() && *rpm >= 0.0,
-        Order::Home | Order::Unlock => true,
-    }
-}
-
-/// The way of a move, its longest axis counted.
-pub fn way_mm(from: Axes, to: Axes) -> f64 {
-    let ways: [f64; AXES] = to.minus(from).0;
-    ways.iter().map(|way| way * way).sum::<f64>().sqrt()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_order_that_no_machine_can_carry_out_is_not_sound() {
-        let to = Axes::default();
-        let nowhere = Axes::xyz(0.0, f64::NAN, 0.0);
-        for (order, sound) in [
-            (Order::Move { to, speed_mm_s: 5.0 }, true),
-            (Order::Move { to, speed_mm_s: 0.0 }, false),
-            (Order::Move { to, speed_mm_s: f64::INFINITY }, false),
-            (Order::Move { to: nowhere, speed_mm_s: 5.0 }, false),
-            (Order::Arc { to, centre: [1.0; 2], sweep_rad: 1.0, speed_mm_s: 5.0 }, true),
-            (Order::Arc { to, centre: [1.0; 2], sweep_rad: 0.0, speed_mm_s: 5.0 }, false),
-            (Order::Output { line: 1, on: true }, true),
-            (Order::Output { line: 0, on: true }, false),
-            (Order::Output { line: 33, on: true }, false),
-            (Order::Spindle { rpm: 0.0 }, true),
-            (Order::Spindle { rpm: -1.0 }, false),
-            (Order::Home, true),
-        ] {
-            assert_eq!(is_sound(&order), sound, "{order:?}");
-        }
     }
 }

@@ -1,8 +1,9 @@
 //! Inputs and outputs by number, as programs have them: those of a controller, and the switches of every machine.
 
 use super::states::{State, States};
-use crate::commands::by_hand::{ServerArgs, Shop};
+use crate::commands::by_hand::ServerArgs;
 use crate::commands::card::{CardArgs, goes_off};
+use crate::commands::shop::Shop;
 use crate::commands::which::Which;
 use crate::controller::First;
 use crate::exit::{Exit, Usage};
