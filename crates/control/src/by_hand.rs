@@ -7,7 +7,7 @@ use crate::hand_words::Jog;
 use crate::interruption::Interruption;
 use crate::run_end::RunEnd;
 use crate::station::Station;
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_machine::Going;
 use kerf_machine::hand::keypad_settings;
 use kerf_machine::homing::{bounds_by_hand, words_of_end};
@@ -218,7 +218,7 @@ impl<I: Interpreter> Station<'_, I> {
             Driven::Stalled => "a motor has stalled".to_owned(),
             _ => return RunEnd::of(Status::Stopped),
         };
-        let place = Place::line(self.world.file(At::default()), 0);
+        let place = SourcePlace::line(self.world.file(At::default()), 0);
         let mut told = Diagnostic::new(Code::InputStop, place, why);
         if matches!(driven, Driven::StopInput(_) | Driven::EmergencyStop) {
             told = told.hint("release it: nothing moves before");

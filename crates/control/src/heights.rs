@@ -1,7 +1,7 @@
 //! The heights in force, as they are told: ZSurface and ZTop go with Z while it follows the sheet
 //! (Profiler reference, "Automatic Height Control").
 
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_journal::RunOptions;
 use kerf_machine::lines::Input;
 use kerf_program::job::Heights;
@@ -59,7 +59,7 @@ pub(crate) fn tell_no_sheet(
         return;
     }
     let message = "height control is on (height.on), and no sheet lies on the simulated table";
-    let why = Diagnostic::new(Code::NoSheet, Place::line(job.clone(), 0), message.to_owned());
+    let why = Diagnostic::new(Code::NoSheet, SourcePlace::line(job.clone(), 0), message.to_owned());
     let hint = if options.program.preview {
         "planned over a flat sheet, the tool cutting at ZSurface; --sheet lays another"
     } else {

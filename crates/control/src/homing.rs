@@ -4,7 +4,7 @@
 use crate::by_hand::Driven;
 use crate::run_end::RunEnd;
 use crate::stopping::Stops;
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_machine::homing::{self, Axle, Homed, NotFound, Rig, Sought, Which};
 use kerf_machine::lines::Input;
 use kerf_machine::planning::hand_settings;
@@ -81,7 +81,7 @@ fn misses_switch<I: Interpreter>(
     missing: &NotFound,
     axis: Option<Axis>,
 ) -> RunEnd {
-    let place = Place::line(stops.station.world.file(At::default()), 0);
+    let place = SourcePlace::line(stops.station.world.file(At::default()), 0);
     let input = axis.and_then(Input::home_of).map_or("none", Input::name);
     let hint = format!(
         "nothing moves on; look at the switch on input {input} (homing), and at the length of the axis (axis.length)"

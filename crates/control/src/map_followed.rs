@@ -5,7 +5,7 @@
 
 use crate::map_pieces::Laid;
 use crate::mapped::{Mapped, outside};
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace};
 use kerf_machine::homing::{bounds_by_hand, table_bounds};
 use kerf_machine::{Configuration, Driven};
 use kerf_part::{Interpreter, Program};
@@ -63,17 +63,18 @@ pub(crate) fn job_leaves_map(
         !bounds.is_empty() && !shape.traversal && corners.iter().any(outside)
     };
     let shape = job.shapes.iter().find(leaves)?;
-    Some(outside(Place::line(job.name.clone(), shape.number), map, sequence.settings()))
+    Some(outside(SourcePlace::line(job.name.clone(), shape.number), map, sequence.settings()))
 }
 
 /// The note that Z follows a height map.
 pub(crate) fn mapped_note(name: &Arc<str>) -> Diagnostic {
     let message = "Z follows the height map in force".to_owned();
-    let note = Diagnostic::new(Code::Mapped, Place::line(name.clone(), 0), message);
+    let note = Diagnostic::new(Code::Mapped, SourcePlace::line(name.clone(), 0), message);
     note.severity(Severity::Note).hint("kerf map off takes it off")
 }
 
 /// The error that a map cannot be followed.
 pub(crate) fn not_followed(name: &Arc<str>, why: String) -> Diagnostic {
-    Diagnostic::new(Code::MapNotFollowed, Place::line(name.clone(), 0), why).hint("kerf map off")
+    Diagnostic::new(Code::MapNotFollowed, SourcePlace::line(name.clone(), 0), why)
+        .hint("kerf map off")
 }

@@ -9,7 +9,7 @@
 //! through here, also where they are only drawn. Without a map nothing is changed.
 
 use crate::map_pieces::Laid;
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_program::{
     At, Axes, Command, FileCall, Frame, Halted, HeightMap, Host, Interpreter, MARGIN_MM, MoveKind,
     Settings, Sourced, Status, Step, StoppedBy, Watch,
@@ -160,7 +160,7 @@ impl<I: Interpreter> Mapped<I> {
 
     fn outside(&self, at: At, map: &HeightMap) -> Diagnostic {
         let file = self.inner.file_name(at.file).unwrap_or_default();
-        outside(Place::line(file, at.line), map, self.inner.settings())
+        outside(SourcePlace::line(file, at.line), map, self.inner.settings())
     }
 
     /// State before a step: commands that are there, where the program has sent the machine, where its zero is.
@@ -170,7 +170,7 @@ impl<I: Interpreter> Mapped<I> {
 }
 
 /// The error that a cut at a place of a source leaves the map.
-pub(crate) fn outside(place: Place, map: &HeightMap, settings: &Settings) -> Diagnostic {
+pub(crate) fn outside(place: SourcePlace, map: &HeightMap, settings: &Settings) -> Diagnostic {
     let unit_mm = settings.linear_unit.mm();
     let [low, high] =
         map.bounds().map(|corner| corner.map(|v| kerf_program::decimal(v / unit_mm, 3)));

@@ -6,7 +6,7 @@ use crate::runs::lines_at_once;
 use crate::session::Session;
 use crate::settings_text;
 use crate::whole_run::WholeRun;
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace};
 use kerf_journal::{
     CutShort, Journal, JournalError, KeptWork, Live, Owner, Placed, Remembered, RestingMachine,
     RunOptions, RunUnderWay, Tape, Whereabouts, Work, machine_file::MachineFileError, switches,
@@ -125,7 +125,7 @@ impl Session {
             self.refresh(&journal)?;
         }
         if let Some(told) = self.meet_machine(workspace)? {
-            let place = Place::line(journal.settings.file().name().into(), 1);
+            let place = SourcePlace::line(journal.settings.file().name().into(), 1);
             let told = Diagnostic::new(Code::AnotherMachine, place, told);
             context.sink.event(&Event::Diag(Box::new(told.severity(Severity::Warning))));
         }

@@ -4,7 +4,7 @@
 use crate::run_context::RunContext;
 use crate::run_summary::end_event;
 use crate::session::Session;
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_journal::{Door, RunOptions, Work};
 use kerf_machine::settings::homing::BeforeRuns;
 use kerf_machine::{Configuration, Errand};
@@ -150,7 +150,7 @@ impl<'a, 'c> Preparation<'a, 'c> {
     }
 
     fn not_begun(&mut self, machine: &Configuration, missing: AxisSet) -> Summary {
-        let place = Place::line(self.work.name(), 0);
+        let place = SourcePlace::line(self.work.name(), 0);
         let message = format!("{} must be homed first", axis_names(machine, missing));
         let why = Diagnostic::new(Code::NotHomed, place, message).hint("kerf machine home");
         self.context.sink.event(&Event::Diag(Box::new(why.clone())));

@@ -13,7 +13,7 @@ use crate::station::Station;
 use crate::stopping::Stops;
 use crate::world::World;
 use crate::{Requests, lift_aside, reentry, table_limits};
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace};
 use kerf_journal::LimitPolicy;
 use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_motion::{Move, Mover};
@@ -139,7 +139,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     fn keeps_record(&mut self) -> Result<(), RunEnd> {
         let Station { world, last_move, .. } = &mut self.stops.station;
         if let Some(trouble) = world.workspace.new_trouble() {
-            let place = Place::line(world.file(*last_move), last_move.line);
+            let place = SourcePlace::line(world.file(*last_move), last_move.line);
             let message = format!("the run goes on, but is not on record: {trouble}");
             let diagnostic = Diagnostic::new(Code::Journal, place, message);
             world.tell_diagnostic(diagnostic.severity(Severity::Warning));
@@ -150,7 +150,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     fn lost(&self, why: &str) -> RunEnd {
         let at = self.stops.station.asking_line();
-        let place = Place::line(self.stops.station.world.file(at), at.line);
+        let place = SourcePlace::line(self.stops.station.world.file(at), at.line);
         let message = format!("the state of the program cannot be saved: {why}");
         let diagnostic = Diagnostic::new(Code::Terminated, place, message);
         RunEnd { status: Status::Failed, diagnostic: Some(Box::new(diagnostic)) }
@@ -192,7 +192,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         if let Some(diagnostic) = &over.diagnostic {
             self.stops.station.world.tell_diagnostic((**diagnostic).clone());
             if !self.stops.station.world.previews {
-                let Place { file, line, .. } = &diagnostic.place;
+                let SourcePlace { file, line, .. } = &diagnostic.place;
                 let told = format!("{file}:{line}: {}", diagnostic.message);
                 self.stops.station.world.workspace.set_value(LAST_ERROR, Some(&told));
             }
@@ -219,7 +219,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     fn note_dropped(&mut self, at: At, count: usize) {
         let moves = if count == 1 { "1 move was".into() } else { format!("{count} moves were") };
         let message = format!("{moves} read but not made, because of the error in the same stack");
-        let place = Place::line(self.stops.station.world.file(at), at.line);
+        let place = SourcePlace::line(self.stops.station.world.file(at), at.line);
         let hint = "nothing of a stack moves when it cannot be read to its end";
         self.stops
             .station

@@ -9,7 +9,7 @@ use crate::stack::Stack;
 use crate::trail::Trail;
 use crate::world::World;
 use crate::{OperatorRequest, Requests};
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace};
 use kerf_journal::Placed;
 use kerf_machine::Lift;
 use kerf_machine::lines::Input;
@@ -207,7 +207,7 @@ impl<I: Interpreter> Station<'_, I> {
     }
 
     pub(crate) fn over(&self, status: Status, code: Code, at: At, message: String) -> RunEnd {
-        let place = Place::line(self.world.file(at), at.line);
+        let place = SourcePlace::line(self.world.file(at), at.line);
         let diagnostic = Diagnostic::new(code, place, message);
         RunEnd { status, diagnostic: Some(Box::new(diagnostic)) }
     }
@@ -217,7 +217,7 @@ impl<I: Interpreter> Station<'_, I> {
             Unanswered::Stopped => return RunEnd::of(Status::Stopped),
             Unanswered::NoButton(message) => message,
         };
-        let place = Place::line(self.world.file(at), at.line);
+        let place = SourcePlace::line(self.world.file(at), at.line);
         let diagnostic = Diagnostic::new(Code::Terminated, place, message)
             .hint("the script of answers has to fit what is asked");
         RunEnd { status: Status::Failed, diagnostic: Some(Box::new(diagnostic)) }
@@ -228,7 +228,7 @@ impl<I: Interpreter> Station<'_, I> {
         let settings = self.world.model.settings();
         let connection = settings.driver.connection(&settings.controller);
         let message = format!("the machine is not connected ({connection}): nothing moves");
-        let place = Place::line(self.world.file(at), at.line);
+        let place = SourcePlace::line(self.world.file(at), at.line);
         let why = Diagnostic::new(Code::NotConnected, place, message)
             .hint("look at its cable, its power and its port (VI); SP shows the file in preview meanwhile");
         RunEnd { status: Status::Failed, diagnostic: Some(Box::new(why)) }
@@ -257,7 +257,7 @@ impl<I: Interpreter> Station<'_, I> {
     }
 
     pub(crate) fn tell_refused(&mut self, code: Code, why: String) {
-        let place = Place::line(self.world.file(self.last_move), self.last_move.line);
+        let place = SourcePlace::line(self.world.file(self.last_move), self.last_move.line);
         let diagnostic = Diagnostic::new(code, place, why);
         self.world.tell_diagnostic(diagnostic.severity(Severity::Warning));
     }

@@ -4,7 +4,7 @@
 use crate::reentry::taken;
 use crate::run_end::{Break, RunEnd};
 use crate::stopping::Stops;
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_journal::LimitPolicy;
 use kerf_machine::lines::Output;
 use kerf_model::Violation;
@@ -124,7 +124,7 @@ fn lists_limits<I: Interpreter>(stops: &Stops<'_, I>) -> bool {
 fn list_violation<I: Interpreter>(stops: &mut Stops<'_, I>, made: &Move) {
     if let Some(violation) = stops.station.world.model.first_outside(std::slice::from_ref(made)) {
         let message = limit_message(stops, &violation);
-        let place = Place::line(stops.station.world.file(made.at), made.at.line);
+        let place = SourcePlace::line(stops.station.world.file(made.at), made.at.line);
         let diagnostic = Diagnostic::new(Code::OutsideLimits, place, message);
         stops.station.world.tell_diagnostic(diagnostic);
     }

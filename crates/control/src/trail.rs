@@ -2,7 +2,7 @@
 
 use crate::run_end::RunEnd;
 use crate::station::Station;
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace};
 use kerf_program::{At, Interpreter, Status};
 use kerf_workspace::part_log::{self, PartLog};
 
@@ -84,7 +84,7 @@ pub(crate) fn write_log<I: Interpreter>(
     let entry = log.entry(&file, draws, seconds, call, ended);
     if let Err(error) = station.world.workspace.add_to_log(&file, &entry) {
         let message = format!("the log of {file} cannot be written: {error}");
-        let diagnostic = Diagnostic::new(Code::FileError, Place::line(file, 1), message);
+        let diagnostic = Diagnostic::new(Code::FileError, SourcePlace::line(file, 1), message);
         station.world.tell_diagnostic(diagnostic.severity(Severity::Warning));
     }
 }

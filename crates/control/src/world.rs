@@ -8,7 +8,7 @@ use crate::drive::{Drive, Heard};
 use crate::heights::{self, Carried};
 use crate::stopped_spindles::StoppedSpindles;
 use crate::tracked::Tracked;
-use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_journal::Placed;
 use kerf_machine::{Actuator, Configuration, Driven, Going};
 use kerf_model::Model;
@@ -18,7 +18,7 @@ use kerf_program::{
     SPINDLE_OUTPUT, SPINDLE_STATUS, Settings,
 };
 use kerf_sim::{Hands, Opened, Simulation};
-use kerf_trace::event::{Event, Partial, Place};
+use kerf_trace::event::{Event, Location, Partial};
 use kerf_trace::{Doing, ExecutedMove, OpenFile, RunStatus, Sink, Tally, flag};
 use kerf_workspace::{Workspace, confirm, unconfirmed};
 use std::collections::BTreeSet;
@@ -271,7 +271,7 @@ impl<'a> World<'a> {
     }
 
     /// A machine position as a working location in the user's units.
-    pub fn place(&self, machine: Axes) -> Place {
+    pub fn place(&self, machine: Axes) -> Location {
         self.settings.to_user(self.model.frame().working(machine)).into()
     }
 

@@ -2,14 +2,14 @@
 
 use kerf_control::{Outcome, TextOptions, run_text};
 use kerf_sbp::Status;
-use kerf_trace::{Event, event::Place};
+use kerf_trace::{Event, event::Location};
 
 /// Everything that shows what the machine did, in order: `z 1`, `1+`, `wait`.
 fn did(outcome: &Outcome) -> Vec<String> {
     let round = |v: f64| (v * 1e4).round() / 1e4;
     let shown = |event: &Event| match event {
         Event::Move(made) => {
-            let Place { x, y, z, .. } = made.to;
+            let Location { x, y, z, .. } = made.to;
             Some(format!("{} {} {}", round(x), round(y), round(z)))
         }
         Event::Output { n, on, .. } if *n != 4 => {

@@ -10,7 +10,7 @@ use kerf_machine::settings::estop::EmergencyStop;
 use kerf_model::{CABLE, Change};
 use kerf_program::{Axis, AxisSet};
 use kerf_sbp::{POSITION_LOST, Status};
-use kerf_trace::{Event, Summary, event::Place};
+use kerf_trace::{Event, Summary, event::Location};
 use kerf_workspace::Workspace;
 
 /// Runs a program in inches that is stopped at a time, with answers.
@@ -26,7 +26,7 @@ fn places(outcome: &Outcome, axis: Axis) -> (f64, f64) {
     (user(m.frame.working(m.position)), user(m.frame.base(m.position)))
 }
 
-fn ends(outcome: &Outcome) -> Vec<Place> {
+fn ends(outcome: &Outcome) -> Vec<Location> {
     let to = outcome.events.iter().filter_map(|event| match event {
         Event::Move(made) => Some(made.to),
         Event::Arc(arc) => Some(arc.made.to),
@@ -35,16 +35,16 @@ fn ends(outcome: &Outcome) -> Vec<Place> {
     to.map(rounded).collect()
 }
 
-fn rounded(p: Place) -> Place {
-    Place { x: round(p.x), y: round(p.y), z: round(p.z), ..p }
+fn rounded(p: Location) -> Location {
+    Location { x: round(p.x), y: round(p.y), z: round(p.z), ..p }
 }
 
 fn round(value: f64) -> f64 {
     (value * 1e4).round() / 1e4
 }
 
-fn xyz(x: f64, y: f64, z: f64) -> Place {
-    Place { x, y, z, ..Place::default() }
+fn xyz(x: f64, y: f64, z: f64) -> Location {
+    Location { x, y, z, ..Location::default() }
 }
 
 const SQUARE: &str = "MZ,-.5\nMX,10\nMY,5\nMX,0\nMY,0\nPRINT %(1);\" \";%(2)\n";
@@ -62,7 +62,7 @@ fn sbp_lim_stop_resume() {
     assert_eq!(resumed.summary.status, Status::Ok);
     let ends = ends(&resumed);
     let stood = ends[1];
-    let lifted = Place { z: 1.0, ..stood };
+    let lifted = Location { z: 1.0, ..stood };
     assert!(stood.x > 0.5 && stood.x < 9.5 && stood.z == -0.5, "{ends:?}");
     assert_eq!(ends[1..5], [stood, lifted, stood, xyz(10.0, 0.0, -0.5)]);
     assert!(resumed.events.iter().any(|e| matches!(e, Event::Resume { .. })));
@@ -94,7 +94,7 @@ fn stopped_again(
 }
 
 /// Moves of a run: when they begin and end, where they lead.
-fn moves(events: &[Event]) -> Vec<(f64, f64, Place)> {
+fn moves(events: &[Event]) -> Vec<(f64, f64, Location)> {
     let made = events.iter().filter_map(|event| match event {
         Event::Move(made) => Some((made.t0, made.t1, made.to)),
         _ => None,
@@ -107,7 +107,8 @@ fn lift_and_way_back() -> Vec<f64> {
     let (_, events) = stopped_again(&[], &[], "hold=Resume");
     let beside = &moves(&events)[2..4];
     assert!(beside[0].2.z == 1.0 && beside[1].2.z == -0.5, "{beside:?}");
-    let share = |(from, to, _): &(f64, f64, Place)| [0.1, 0.5, 0.9].map(|s| from + (to - from) * s);
+    let share =
+        |(from, to, _): &(f64, f64, Location)| [0.1, 0.5, 0.9].map(|s| from + (to - from) * s);
     beside.iter().flat_map(share).collect()
 }
 
@@ -126,7 +127,7 @@ fn the_operator_stops_the_lift_and_the_way_back() {
         assert_eq!(stops.len(), 2, "{at_s}");
         assert!((stops[1] - at_s).abs() < 0.3, "it stands at {} and not at {at_s}", stops[1]);
         let mut made = moves(&events);
-        let corners: Vec<Place> =
+        let corners: Vec<Location> =
             made.split_off(made.len() - 4).into_iter().map(|(.., to)| rounded(to)).collect();
         let square =
             [(10.0, 0.0), (10.0, 5.0), (0.0, 5.0), (0.0, 0.0)].map(|(x, y)| xyz(x, y, -0.5));
@@ -159,7 +160,8 @@ fn a_stop_input_stops_the_lift_and_the_way_back() {
         assert!(during(at_s - 0.01) && !during(at_s) && !during(at_s + 2.9), "{at_s}: {spindle:?}");
         let last = moves(&events).last().unwrap().0;
         assert!(during(last), "it turns when it cuts again: {spindle:?}");
-        let corner = |at: Place| moves(&events).iter().any(|it| (it.2.x, it.2.y) == (at.x, at.y));
+        let corner =
+            |at: Location| moves(&events).iter().any(|it| (it.2.x, it.2.y) == (at.x, at.y));
         assert!(corner(xyz(10.0, 5.0, 0.0)) && corner(xyz(0.0, 5.0, 0.0)), "{at_s}");
         let given_up = stopped_again(&[], &pressed, "Resume\nQuit\nQuit").0;
         assert_eq!(given_up.status, Status::Stopped, "{at_s}");

@@ -12,7 +12,7 @@ use kerf_journal::{Journal, Press, RunOptions};
 use kerf_machine::lines::Input;
 use kerf_program::{Axes, Axis, Dynamics, MoveKind, Settings};
 use kerf_sbp::Status;
-use kerf_trace::{Event, event::Place};
+use kerf_trace::{Event, event::Location};
 use kerf_workspace::Workspace;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use tempfile::{TempDir, tempdir};
@@ -29,7 +29,7 @@ fn after_a_power_cut_nothing_is_cut_twice() {
         assert_eq!(status, Status::Ok);
         let first = same_rest(&whole, &rest, line);
         let made = whole.iter().filter_map(motion).find(|made| made.line == line).unwrap();
-        let way = |a: &Place, b: &Place| (a.x - b.x).hypot(a.y - b.y);
+        let way = |a: &Location, b: &Location| (a.x - b.x).hypot(a.y - b.y);
         let share = way(&made.from, &first.from) / way(&made.from, &made.to);
         assert!((0.3..0.7).contains(&share), "line {line} goes on at {share} of its way");
     }

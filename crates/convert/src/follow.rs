@@ -2,7 +2,7 @@
 
 use crate::host::{MachineAtOnce, Seen};
 use crate::item::{Item, Passage};
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_program::settings::LinearUnit;
 use kerf_program::{
     Answer, At, Button, Command, Hold, Host, Interpreter, Lost, Question, QuestionKind, Sourced,
@@ -68,7 +68,8 @@ pub fn follow<I: Language>(mut interpreter: I, lines: usize, behind: &mut dyn Ho
         seen.for_each(|seen| follower.seen(seen, at));
         match step {
             Step::Ran if follower.passage.items.len() > most_items => {
-                let at = Place::line(interpreter.file_name(at.file).unwrap_or_default(), at.line);
+                let at =
+                    SourcePlace::line(interpreter.file_name(at.file).unwrap_or_default(), at.line);
                 let message = "the program does not come to an end";
                 let diagnostic = Diagnostic::new(Code::LineLimit, at, message)
                     .hint("is there a loop that never ends?");

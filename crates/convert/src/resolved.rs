@@ -7,7 +7,7 @@ use crate::kept::{self, KEPT_MM, Unkept};
 use crate::start::{ODD, says_its_height, says_its_places, zeros_in_machine};
 use crate::times::{cutting_s, switched};
 use crate::{Conversion, Converted, Hosts, Language, Source};
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace};
 use kerf_gcode::{Writer, Writing};
 use kerf_program::settings::LinearUnit;
 use kerf_program::{At, Axes, Axis, Command, Lost, Printer, Settings, Status, Written};
@@ -101,7 +101,7 @@ fn keep(
 ) -> Result<String, Diagnostic> {
     let settings = &settings_for(how, passage).1;
     let unkept = |unkept: Unkept| {
-        let place = Place::line(source.name.clone(), unkept.line);
+        let place = SourcePlace::line(source.name.clone(), unkept.line);
         Diagnostic::new(Code::NotKept, place, format!("variables are not kept: {}", unkept.what))
             .hint("the file was written as the moves it makes")
     };
@@ -276,7 +276,7 @@ fn fill(mut printer: Box<dyn Printer + '_>, passage: &Passage) -> Written {
 
 /// The program ended before its end: an answer stopped it.
 fn stopped(source: &Source<'_>) -> Diagnostic {
-    let place = Place::line(source.name.clone(), 1);
+    let place = SourcePlace::line(source.name.clone(), 1);
     let message = "the program was stopped before its end: nothing is converted";
     Diagnostic::new(Code::NotConverted, place, message)
         .severity(Severity::Error)
@@ -287,7 +287,7 @@ fn stopped(source: &Source<'_>) -> Diagnostic {
 fn from_here(passage: &Passage, source: &Source<'_>) -> Diagnostic {
     let line = passage.commands().find(|s| s.command.is_motion()).map_or(1, |s| s.at.line);
     let message = "the program goes on from where the tool stands: converted as if that were zero";
-    let place = Place::line(source.name.clone(), line);
+    let place = SourcePlace::line(source.name.clone(), line);
     Diagnostic::new(Code::StartTaken, place, message)
         .hint("put the tool at zero before the converted file runs")
 }
@@ -297,7 +297,7 @@ fn told(lost: &Lost, passage: &Passage, to: Language) -> Diagnostic {
         Language::OpenSbp => "OpenSBP",
         Language::Gcode(_) => "G-code",
     };
-    let place = Place::line(passage.file(lost.at), lost.at.line);
+    let place = SourcePlace::line(passage.file(lost.at), lost.at.line);
     let message = format!("not in {language}: {}", lost.what);
     let severity = if lost.is_motion { Severity::Error } else { Severity::Warning };
     Diagnostic::new(Code::NotConverted, place, message).severity(severity)
@@ -323,7 +323,7 @@ fn read_back(
     };
     let found = run(&again, &reading, hosts, start, false);
     let differs = |at: At, what: String| {
-        let place = Place::line(passage.file(at), at.line);
+        let place = SourcePlace::line(passage.file(at), at.line);
         Diagnostic::new(Code::ConversionDiffers, place, what)
             .hint("nothing was written; this is a fault of Kerf, please report it with the file")
     };

@@ -19,7 +19,7 @@ pub enum Severity {
 
 /// A stretch of one line of a file.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-pub struct Place {
+pub struct SourcePlace {
     /// Name of the file as the user gave it.
     pub file: Arc<str>,
     /// Line, counted from 1.
@@ -30,7 +30,7 @@ pub struct Place {
     pub length: u32,
 }
 
-impl Place {
+impl SourcePlace {
     /// The start of a line.
     pub fn line(file: Arc<str>, line: u32) -> Self {
         Self { file, line, column: 1, length: 0 }
@@ -55,19 +55,19 @@ pub struct Diagnostic {
     pub code: Code,
     /// Place of the mistake.
     #[serde(flatten)]
-    pub place: Place,
+    pub place: SourcePlace,
     /// The mistake in one sentence.
     pub message: String,
     /// Way to mend it; empty when nothing useful can be said.
     pub hint: String,
     /// The files that led here, innermost caller first (`B.sbp` called from `A.sbp` line 5).
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub callers: Vec<Place>,
+    pub callers: Vec<SourcePlace>,
 }
 
 impl Diagnostic {
     /// A diagnostic with the severity that its code usually has and no hint.
-    pub fn new(code: Code, place: Place, message: impl Into<String>) -> Self {
+    pub fn new(code: Code, place: SourcePlace, message: impl Into<String>) -> Self {
         Self {
             severity: code.severity(),
             code,
@@ -105,7 +105,7 @@ mod tests {
     #[test]
     fn a_stretch_of_bytes_is_told_in_characters() {
         let check = |text: &str, bytes, expected: (u32, u32)| {
-            let place = Place::of_bytes("part".into(), 3, text, bytes);
+            let place = SourcePlace::of_bytes("part".into(), 3, text, bytes);
             assert_eq!((place.column, place.length), expected, "{text}");
         };
         check("MX,5 'weit", 3..4, (4, 1));

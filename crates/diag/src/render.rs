@@ -61,7 +61,7 @@ fn byte_of(text: &str, chars: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Code, Place};
+    use crate::{Code, SourcePlace};
 
     struct One(&'static str);
     impl Sources for One {
@@ -72,14 +72,15 @@ mod tests {
 
     #[test]
     fn what_is_said_of_a_whole_file_names_no_line() {
-        let whole = Diagnostic::new(Code::OutsideLimits, Place::line("a.rsm".into(), 0), "too far");
+        let whole =
+            Diagnostic::new(Code::OutsideLimits, SourcePlace::line("a.rsm".into(), 0), "too far");
         let text = render_text(&whole, &One("M23"), false);
         assert!(text.contains("--> a.rsm\n") || text.ends_with("--> a.rsm"), "{text}");
     }
 
     #[test]
     fn points_at_the_place_and_gives_the_hint() {
-        let place = Place { file: "a.sbp".into(), line: 3, column: 1, length: 3 };
+        let place = SourcePlace { file: "a.sbp".into(), line: 3, column: 1, length: 3 };
         let d =
             Diagnostic::new(Code::UnknownCommand, place, "unknown command M23").hint("write M2, 3");
         let text = render_text(&d, &One("M23, 4.2"), false);
@@ -94,7 +95,7 @@ mod tests {
 
     #[test]
     fn a_place_past_the_end_of_the_line_is_no_panic() {
-        let place = Place { file: "a.sbp".into(), line: 3, column: 900, length: 7 };
+        let place = SourcePlace { file: "a.sbp".into(), line: 3, column: 900, length: 7 };
         let text = render_text(&Diagnostic::new(Code::Syntax, place, "x"), &One("äö"), false);
         assert!(text.contains("S004"));
     }

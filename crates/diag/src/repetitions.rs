@@ -64,10 +64,10 @@ impl Seen {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Place;
+    use crate::SourcePlace;
 
     fn found(line: u32, message: &str) -> Diagnostic {
-        Diagnostic::new(Code::OutsideLimits, Place::line("a.sbp".into(), line), message)
+        Diagnostic::new(Code::OutsideLimits, SourcePlace::line("a.sbp".into(), line), message)
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Which shape lies within which.
 
 use crate::Shape;
-use kerf_geom::{Bounds2, BoxTree, Place, Polyarc, Position, tol};
+use kerf_geom::{Bounds2, BoxTree, Polyarc, PolyarcPlace, Position, tol};
 use std::sync::Arc;
 
 /// The shapes of a drawing as a forest: a closed shape is the parent of what lies directly inside
@@ -188,7 +188,7 @@ fn relation(outer: &Polyarc, inner: &Polyarc) -> Relation {
 }
 
 /// A place in the middle of each piece of `inner` between its meetings with `outer`.
-fn pieces(outer: &Polyarc, inner: &Polyarc) -> Vec<Place> {
+fn pieces(outer: &Polyarc, inner: &Polyarc) -> Vec<PolyarcPlace> {
     let long = inner.length();
     let mut cuts: Vec<f64> =
         inner.crossings(outer).iter().map(|crossing| inner.length_to(&crossing.first)).collect();
@@ -197,7 +197,7 @@ fn pieces(outer: &Polyarc, inner: &Polyarc) -> Vec<Place> {
     cuts.sort_by(f64::total_cmp);
     cuts.dedup();
     let middles = cuts.windows(2).map(|ends| 0.5 * (ends[0] + ends[1]));
-    let places: Vec<Place> = middles.filter_map(|at| inner.place_after(at)).collect();
+    let places: Vec<PolyarcPlace> = middles.filter_map(|at| inner.place_after(at)).collect();
     if places.is_empty() { inner.place_after(0.0).into_iter().collect() } else { places }
 }
 

@@ -1,7 +1,7 @@
 //! One shape of a drawing: a path, perhaps with heights, in a group.
 
 use crate::Group;
-use kerf_geom::{Place, Point2, Polyarc, Transform2};
+use kerf_geom::{Point2, Polyarc, PolyarcPlace, Transform2};
 use serde::{Deserialize, Serialize};
 
 /// A shape: what is cut in one go.
@@ -79,7 +79,7 @@ impl Shape {
     }
 
     /// Height at a place of its path, in proportion to the length between two vertices.
-    pub fn height_at(&self, place: &Place) -> f64 {
+    pub fn height_at(&self, place: &PolyarcPlace) -> f64 {
         let next = (place.segment + 1) % self.path.vertices.len().max(1);
         let (from, to) = (self.height_mm(place.segment), self.height_mm(next));
         from + (to - from) * place.share

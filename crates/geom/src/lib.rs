@@ -47,6 +47,6 @@ pub use offset::{
     offset_region, parallel_path,
 };
 pub use point::{Point2, Vec2, clock_to_vec, vec_to_clock};
-pub use polyarc::{Crossing, Place, Polyarc, Position, Vertex};
+pub use polyarc::{Crossing, Polyarc, PolyarcPlace, Position, Vertex};
 pub use segment::{Contact, Contacts, Foot, Segment};
 pub use transform::Transform2;

@@ -3,7 +3,7 @@
 
 use kerf_control::answers::Operator;
 use kerf_control::{RunContext, Session};
-use kerf_diag::{Code, Diagnostic, Place, Repetitions, Severity};
+use kerf_diag::{Code, Diagnostic, Repetitions, Severity, SourcePlace};
 use kerf_journal::{LimitPolicy, RunOptions, Work};
 use kerf_part::Program;
 use kerf_program::settings::LinearUnit;
@@ -127,7 +127,7 @@ impl Findings {
 
     /// A file that is not there is an error only where a run comes to it.
     fn missing(&mut self, program: &Program, line: u32, message: String) {
-        let place = Place::line(program.name().clone(), line);
+        let place = SourcePlace::line(program.name().clone(), line);
         let diagnostic = Diagnostic::new(Code::FileNotFound, place, message);
         self.add(&diagnostic.severity(Severity::Warning));
     }

@@ -14,7 +14,7 @@ use kerf_program::settings::{AxisUnit, MM_PER_INCH};
 use kerf_program::{Axis, Settings};
 use kerf_trace::{
     Event, Sink, Summary, ToolPathTime,
-    event::{ArcEvent, MoveEvent, Place},
+    event::{ArcEvent, Location, MoveEvent},
 };
 use std::path::Path;
 
@@ -126,7 +126,7 @@ impl Picture {
     }
 
     fn segment(&mut self, made: &MoveEvent, shape: Shape) {
-        let point = |p: Place| [p.x * self.mm, p.y * self.mm, p.z * self.mm];
+        let point = |p: Location| [p.x * self.mm, p.y * self.mm, p.z * self.mm];
         let (from, to) = (point(made.from), point(made.to));
         let segment = Segment { kind: made.kind, from, to, shape, line: made.line };
         self.trail.push(segment, made.t1 as f32, [made.from.b as f32, made.to.b as f32]);

@@ -2,7 +2,7 @@
 
 use crate::launch::Launch;
 use crate::pieces::Piece;
-use crate::way::Way;
+use crate::speed_piece::SpeedPiece;
 
 /// Pieces that differ by no more than this share are the same.
 const SAME: f64 = 1e-6;
@@ -12,12 +12,12 @@ const SAME: f64 = 1e-6;
 pub(crate) enum Begin {
     Rest,
     /// In motion, by ways that are within the limits; to rest, if they lead there.
-    Motion(Vec<Way>, Option<Launch>),
+    Motion(Vec<SpeedPiece>, Option<Launch>),
 }
 
 impl Begin {
     /// The first ways of the motion with which it begins.
-    pub fn kept(&self, way_mm: f64) -> &[Way] {
+    pub fn kept(&self, way_mm: f64) -> &[SpeedPiece] {
         let Self::Motion(ways, _) = self else { return &[] };
         let mut at = 0.0;
         let count = ways.iter().take_while(|way| {

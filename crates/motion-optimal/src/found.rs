@@ -2,7 +2,7 @@
 
 use crate::launch::Launch;
 use crate::node::{Node, Push, swing};
-use crate::way::Way;
+use crate::speed_piece::SpeedPiece;
 
 /// Newton's steps in search of a time; each doubles the digits.
 const NEWTON: u32 = 8;
@@ -22,7 +22,7 @@ impl Found {
     }
 
     /// In motion at a place, where a way begins.
-    pub fn in_motion(at_mm: f64, Way { h, x }: &Way) -> Self {
+    pub fn in_motion(at_mm: f64, SpeedPiece { h, x }: &SpeedPiece) -> Self {
         let node = Node { at_mm, v: x[0].sqrt(), t_s: 0.0 };
         Self { nodes: vec![node], pushes: vec![Push { accel: (x[1] - x[0]) / h, jerk: None }] }
     }
@@ -60,7 +60,7 @@ impl Found {
     }
 
     /// Ways in motion.
-    pub fn go(&mut self, ways: &[Way]) {
+    pub fn go(&mut self, ways: &[SpeedPiece]) {
         for way in ways {
             let (Some(node), Some(push)) = (self.nodes.last_mut(), self.pushes.last_mut()) else {
                 return;

@@ -24,8 +24,8 @@ use crate::leg::Leg;
 use crate::node::Node;
 use crate::problem::Problem;
 use crate::scurve::phases;
+use crate::speed_piece::SpeedPiece;
 use crate::track::Track;
-use crate::way::Way;
 use crate::widths::Smoothing;
 use crate::window::{Window, guide};
 use kerf_program::Dynamics;
@@ -104,7 +104,7 @@ impl<const N: usize> Horizon<N> {
     }
 
     /// In motion from a place on, where ways within the limits begin.
-    pub fn begin_at(&mut self, at_mm: f64, ways: Vec<Way>) {
+    pub fn begin_at(&mut self, at_mm: f64, ways: Vec<SpeedPiece>) {
         let Some(way) = ways.first() else { return };
         self.found = Found::in_motion(at_mm, way);
         self.from_mm = at_mm;
@@ -216,7 +216,7 @@ impl<const N: usize> Horizon<N> {
         let (begin, x) = match &self.begin {
             Begin::Rest => (End::Rest(Launch::into(first, &self.bounds, &self.jerk, legs)), 0.0),
             Begin::Motion(ways, _) => {
-                let Way { h, x } = ways[0];
+                let SpeedPiece { h, x } = ways[0];
                 (End::Motion([x[0], (x[1] - x[0]) / h]), x[0])
             }
         };
@@ -247,7 +247,8 @@ impl<const N: usize> Horizon<N> {
         if let End::Rest(launch) = begin {
             self.found.launch(launch, ordinates[0][0]);
         }
-        let ways: Vec<Way> = pieces.iter().zip(ordinates).map(|(p, x)| Way { h: p.h, x }).collect();
+        let ways: Vec<SpeedPiece> =
+            pieces.iter().zip(ordinates).map(|(p, x)| SpeedPiece { h: p.h, x }).collect();
         let final_mm = end_mm - brakes_mm;
         let count = pieces.partition_point(|p| p.at_mm + p.h <= final_mm);
         let count = count.clamp(1, ways.len().saturating_sub(2).max(1));

@@ -104,16 +104,16 @@ mod pieces;
 mod problem;
 mod scurve;
 mod solver;
+mod speed_piece;
 mod timed;
 mod track;
 mod variants;
 mod walk;
-mod way;
 mod widths;
 mod window;
 
 pub use leg::{Basis, Leg, Shape};
 pub use node::{Along, Node, Push};
 pub use solver::Solver;
+pub use speed_piece::SpeedPiece;
 pub use timed::{Moment, Timed};
-pub use way::Way;

@@ -10,10 +10,10 @@
 use crate::cut::{SAME_MM, cut, cut_pushes};
 use crate::kernel::Kernel;
 use crate::leg::Leg;
+use crate::speed_piece::SpeedPiece;
 use crate::timed::Timed;
 use crate::track::Track;
 use crate::variants::Variant;
-use crate::way::Way;
 use crate::widths::REACH;
 use kerf_program::{Axes, Dynamics};
 
@@ -60,7 +60,7 @@ impl Solver {
 
     /// Begins in motion, with a limit of jerk: in the last of the moves on the track, after a share of it, by
     /// ways within the limits, at least one.
-    pub fn begin_in_motion(&mut self, share: f64, ways: Vec<Way>) {
+    pub fn begin_in_motion(&mut self, share: f64, ways: Vec<SpeedPiece>) {
         let index = self.legs.len().saturating_sub(1);
         let track = &self.track;
         let first = track.owner.partition_point(|owner| (*owner as usize) < index);

@@ -2,8 +2,8 @@
 
 use crate::kernel::Kernel;
 use crate::node::{Along, Node, Push, between, halve, pushed};
+use crate::speed_piece::SpeedPiece;
 use crate::track::Track;
-use crate::way::Way;
 use kerf_program::{AXES, Axes, Dynamics};
 
 /// Place and motion of the machine at one time.
@@ -64,7 +64,7 @@ impl Timed {
 
     /// The motion along the path from a time on, in ways, at a rate of time; and whether they
     /// lead to the last node: phases of constant jerk are none.
-    pub fn ways_from(&self, t_s: f64, rate: f64) -> (Vec<Way>, bool) {
+    pub fn ways_from(&self, t_s: f64, rate: f64) -> (Vec<SpeedPiece>, bool) {
         let here = self.along(t_s);
         let square = rate * rate;
         let mut at = (here.at_mm, here.v * here.v, here.accel);
@@ -74,7 +74,7 @@ impl Timed {
             let (node, push) = (&self.nodes[k], &self.pushes[k]);
             let (h, x) = (node.at_mm - at.0, node.v * node.v);
             if h > 0.0 {
-                ways.push(Way { h, x: [at.1, at.1 + at.2 * h, x].map(|x| x * square) });
+                ways.push(SpeedPiece { h, x: [at.1, at.1 + at.2 * h, x].map(|x| x * square) });
             }
             if push.jerk.is_some() || self.pushes[k - 1].jerk.is_some() {
                 return (ways, false);

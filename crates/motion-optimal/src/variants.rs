@@ -9,9 +9,9 @@ use crate::kernel::Kernel;
 use crate::leg::Leg;
 use crate::node::{Node, Push};
 use crate::passes::Passes;
+use crate::speed_piece::SpeedPiece;
 use crate::track::Track;
 use crate::walk::{Smoothed, Walk};
-use crate::way::Way;
 use crate::widths::Smoothing;
 use kerf_program::{AXES, Dynamics};
 
@@ -83,7 +83,7 @@ impl Variant {
     }
 
     /// Begins in motion, with a limit of jerk.
-    pub fn begin_at(&mut self, at_mm: f64, ways: Vec<Way>) {
+    pub fn begin_at(&mut self, at_mm: f64, ways: Vec<SpeedPiece>) {
         match self {
             Self::ThreeWithJerk(search) => search.begin_at(at_mm, ways),
             Self::AllWithJerk(search) => search.begin_at(at_mm, ways),

@@ -6,7 +6,7 @@ use crate::corner::{FULL_CORNER_RAD, SLIGHTEST_RAD, corner_speed, is_full};
 use crate::course::Course;
 use crate::moves::{Move, Path};
 use crate::profile::Profile;
-use crate::turns::{Bend, Place, full_stretches, sum_turns};
+use crate::turns::{Bend, BendAt, full_stretches, sum_turns};
 use kerf_program::Axis;
 use kerf_program::settings::{MM_PER_INCH, Ramps};
 use std::f64::consts::TAU;
@@ -137,7 +137,7 @@ impl Caps {
         ahead.caps[i].v_entry = cap;
         let turn = before.turn_rad(after);
         if turn.abs() > BEND_RAD {
-            let place = Place::Joint(ahead.number(i));
+            let place = BendAt::Joint(ahead.number(i));
             self.bend(self.at_mm, turn, before.xy.max(after.xy), place);
         }
         self.heading_rad += turn;
@@ -157,7 +157,7 @@ impl Caps {
         v
     }
 
-    fn bend(&mut self, at_mm: f64, turn: f64, xy: f64, place: Place) {
+    fn bend(&mut self, at_mm: f64, turn: f64, xy: f64, place: BendAt) {
         self.bends.push(Bend {
             at_mm,
             before_rad: self.heading_rad,
@@ -172,7 +172,8 @@ impl Caps {
         let closed = sweep > TAU - BEND_RAD;
         if way_mm <= self.window_mm && !closed {
             let middle_mm = self.at_mm + 0.5 * way_mm;
-            let place = if way_mm < FILLET_RADIUS_MM * sweep { Place::Fillet } else { Place::Arc };
+            let place =
+                if way_mm < FILLET_RADIUS_MM * sweep { BendAt::Fillet } else { BendAt::Arc };
             return self.bend(middle_mm, sweep_rad, xy, place(ahead.number(i)));
         }
         let turn = sweep * (self.window_mm / way_mm).min(1.0);
@@ -219,7 +220,7 @@ impl Caps {
             }
         }
         for (k, &turn_rad) in turns.iter().enumerate().take(joints).skip(self.done[1]) {
-            if let Bend { place: Place::Joint(i), xy, .. } = self.bends[k] {
+            if let Bend { place: BendAt::Joint(i), xy, .. } = self.bends[k] {
                 self.limit_joint(ahead, ahead.index(i), turn_rad, xy);
             }
         }

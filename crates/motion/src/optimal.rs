@@ -4,7 +4,7 @@
 use crate::moves::Move;
 use crate::plan::{Law, Plan};
 use crate::planner::{Model, Planner};
-use kerf_motion_optimal::{Solver, Timed, Way};
+use kerf_motion_optimal::{Solver, SpeedPiece, Timed};
 use kerf_program::Dynamics;
 
 /// So many moves are looked at together, and with a limit of jerk.
@@ -38,7 +38,7 @@ pub(crate) struct Running {
     /// The move, and how much of it lies before.
     pub begin: (usize, f64),
     /// Ways within the limits, at least one.
-    pub ways: Vec<Way>,
+    pub ways: Vec<SpeedPiece>,
 }
 
 /// Plans a stack with all that the axes can do while it is read.

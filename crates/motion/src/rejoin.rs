@@ -20,7 +20,7 @@ use crate::retimed::Retimed;
 use crate::splice::{same_course, speed};
 use crate::state::State;
 use crate::stop::Stop;
-use kerf_motion_optimal::{Node, Way};
+use kerf_motion_optimal::{Node, SpeedPiece};
 use std::sync::Arc;
 
 /// So many moves behind are enough for the same path.
@@ -322,7 +322,7 @@ impl Clocked {
     }
 
     /// The motion along the path from a moment on, by a clock whose rate stays, as far as it is known.
-    fn ways(&self, from: &Tick) -> Vec<Way> {
+    fn ways(&self, from: &Tick) -> Vec<SpeedPiece> {
         let ends = |piece: &&Arc<Plan>| piece.duration_s() <= from.plan_s;
         let timed = self.pieces.iter().skip_while(ends).map_while(|piece| match &piece.law {
             Law::Timed(timed) => Some(timed),

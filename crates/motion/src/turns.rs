@@ -25,12 +25,12 @@ pub(crate) struct Bend {
     /// XY speed there for a speed of 1 along the reference length.
     pub xy: f32,
     /// Joint or move that it limits.
-    pub place: Place,
+    pub place: BendAt,
 }
 
 /// Joint or move that a bend limits.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Place {
+pub(crate) enum BendAt {
     /// The joint before this move.
     Joint(u32),
     /// This move, a short arc.
@@ -39,7 +39,7 @@ pub(crate) enum Place {
     Fillet(u32),
 }
 
-impl Place {
+impl BendAt {
     /// The move that begins there or is it.
     pub const fn number(self) -> u32 {
         match self {
@@ -102,9 +102,9 @@ pub(crate) fn full_stretches(
 ) -> Vec<(usize, usize)> {
     let way_mm = |a: usize, b: usize| bends[b].at_mm - bends[a].at_mm;
     let is_corner = |bend: &Bend| match bend.place {
-        Place::Joint(_) => is_full(f64::from(bend.turn_rad.abs())),
-        Place::Arc(_) => false,
-        Place::Fillet(_) => true,
+        BendAt::Joint(_) => is_full(f64::from(bend.turn_rad.abs())),
+        BendAt::Arc(_) => false,
+        BendAt::Fillet(_) => true,
     };
     // A bend at an end stands for half the way to its neighbour within.
     let belongs = |end: usize, inner: usize| {
@@ -288,7 +288,7 @@ mod tests {
         let bend = |(at_mm, degrees): &(f64, f32)| {
             let (before_rad, turn_rad) = (heading_rad, degrees.to_radians());
             heading_rad += f64::from(turn_rad);
-            Bend { at_mm: *at_mm, before_rad, turn_rad, xy: 1.0, place: Place::Joint(0) }
+            Bend { at_mm: *at_mm, before_rad, turn_rad, xy: 1.0, place: BendAt::Joint(0) }
         };
         places.iter().map(bend).collect()
     }
@@ -361,7 +361,7 @@ mod tests {
                 at_mm += random();
                 let rough = if k / 100 % 2 == 0 { 0.05 } else { 0.4 };
                 let turn_rad = ((random() - 0.5) * rough) as f32;
-                let bend = Bend { at_mm, before_rad, turn_rad, xy: 1.0, place: Place::Joint(0) };
+                let bend = Bend { at_mm, before_rad, turn_rad, xy: 1.0, place: BendAt::Joint(0) };
                 before_rad += f64::from(turn_rad);
                 bend
             })

@@ -4,7 +4,7 @@ use crate::Program;
 use crate::files::Files;
 use crate::guest::Guest;
 use crate::library::Library;
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace};
 use kerf_program::settings::Mode;
 use kerf_program::{At, Axes, FileCall, Frame, Host, Settings, Sourced, Status, Step, Watch};
 use kerf_sbp::{GcodeDone, GcodeDue, Variables};
@@ -144,7 +144,7 @@ impl Interpreter {
         let at = given[first].at;
         let name = self.files.name(at.file).unwrap_or_else(|| Arc::from(""));
         let message = "OpenSBP moves while cutter compensation is on";
-        let error = Diagnostic::new(Code::Compensation, Place::line(name, at.line), message);
+        let error = Diagnostic::new(Code::Compensation, SourcePlace::line(name, at.line), message);
         Some((first, Box::new(error.hint("write G40 before it, or the move in G-code"))))
     }
 
@@ -209,7 +209,7 @@ impl Interpreter {
         }
         let name = self.files.name(file).unwrap_or_default();
         let message = "tabs are not left in G-code: this file is cut through";
-        let diagnostic = Diagnostic::new(Code::NotSupported, Place::line(name, 1), message)
+        let diagnostic = Diagnostic::new(Code::NotSupported, SourcePlace::line(name, 1), message)
             .hint("kerf convert makes a part file of it, which FP runs with tabs")
             .severity(Severity::Warning);
         let command = kerf_program::Command::Diagnostic(Box::new(diagnostic));

@@ -1,6 +1,6 @@
 //! A part file that was read.
 
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_sbp::{Dialect, Language};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -29,7 +29,7 @@ pub fn read_as<'a>(name: Arc<str>, bytes: impl Into<Cow<'a, [u8]>>, dialect: Dia
 /// A file in which nothing stands is hardly what was meant.
 fn told_empty(mut program: Program) -> Program {
     if program.diagnostics.is_empty() && program.sbp.text.trim().is_empty() {
-        let place = Place::line(program.name().clone(), 1);
+        let place = SourcePlace::line(program.name().clone(), 1);
         let empty = Diagnostic::new(Code::EmptyFile, place, "the file is empty");
         program.diagnostics.push(empty.hint("save it again where it was made"));
     }

@@ -58,7 +58,7 @@ pub(crate) const JUST_FITS_MM: f64 = 1e-4;
 
 /// Manner in which the tool goes about its work.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Way {
+pub struct CutDirection {
     /// With the material on the right of travel, which is climb milling for a spindle that turns
     /// clockwise: counter-clockwise along the outer wall, clockwise round islands. Else the other way.
     pub climb: bool,

@@ -43,7 +43,7 @@ mod tour;
 mod tree;
 mod zigzag;
 
-pub use cutter::{Cutter, Way};
+pub use cutter::{CutDirection, Cutter};
 pub use error::PocketError;
 pub use left_over::SMALLEST_MM2;
 pub use zigzag::{Zigzag, zigzag};
@@ -69,7 +69,7 @@ pub struct Cleared {
 pub fn rings(
     region: &[Polyarc],
     cutter: &Cutter,
-    way: Way,
+    way: CutDirection,
     offsetter: &Offsetter,
 ) -> Result<Cleared, PocketError> {
     let mut offsets = Offsets::new(offsetter);

@@ -1,12 +1,12 @@
 //! Level lines within rings, joined along the rings to chains that run to and fro.
 
-use kerf_geom::{Place, Point2, Polyarc, Segment};
+use kerf_geom::{Point2, Polyarc, PolyarcPlace, Segment};
 
 /// End of a line, on a ring.
 #[derive(Clone, Copy)]
 struct End {
     ring: usize,
-    place: Place,
+    place: PolyarcPlace,
 }
 
 /// A line between two rings, or between two places of one.
@@ -29,7 +29,8 @@ fn spans(rings: &[Polyarc], line: usize, y: f64) -> Vec<Span> {
     let mut ends: Vec<End> = Vec::new();
     for (ring, path) in rings.iter().enumerate() {
         for (segment, found) in path.segments().enumerate() {
-            let end = |at| End { ring, place: Place { segment, share: found.share_of(at), at } };
+            let end =
+                |at| End { ring, place: PolyarcPlace { segment, share: found.share_of(at), at } };
             ends.extend(crossings(&found, y).into_iter().flatten().map(end));
         }
     }

@@ -4,18 +4,18 @@
 //! goes over to what hangs on it and comes back the same way, over what is already cut. What hangs near
 //! the end of a ring comes last, and from the last one of all there is no way back.
 
-use crate::cutter::Way;
+use crate::cutter::CutDirection;
 use crate::inside::Inside;
 use crate::islands::Island;
 use crate::route::Route;
 use crate::tree::{Link, links};
-use kerf_geom::{Place, Point2, Polyarc, Segment, tol};
+use kerf_geom::{Point2, Polyarc, PolyarcPlace, Segment, tol};
 
 /// A link from the end of a ring may be so much longer than the shortest one: it saves the way back.
 const LONGER: f64 = 1.5;
 
 /// The paths of an island: one, or more where links are missing.
-pub(crate) fn paths(island: &Island, inside: &Inside, way: Way) -> Vec<Polyarc> {
+pub(crate) fn paths(island: &Island, inside: &Inside, way: CutDirection) -> Vec<Polyarc> {
     let first = island.rings.first().and_then(longest_middle).map(|at| (0, at));
     let paths = Tree::of(island, inside, way, first).paths();
     let turned = |path: Polyarc| if way.outward { path.reversed() } else { path };
@@ -29,7 +29,7 @@ fn longest_middle(ring: &Polyarc) -> Option<Point2> {
 }
 
 /// Once round every ring of an island, beginning with the one that is nearest.
-pub(crate) fn along_walls(island: &Island, inside: &Inside, way: Way, route: &mut Route) {
+pub(crate) fn along_walls(island: &Island, inside: &Inside, way: CutDirection, route: &mut Route) {
     let nearest = |to: Point2| {
         let found =
             |(n, ring): (usize, &Polyarc)| ring.nearest(to).map(|(place, far)| (n, place.at, far));
@@ -42,30 +42,30 @@ pub(crate) fn along_walls(island: &Island, inside: &Inside, way: Way, route: &mu
 
 /// Rings come with the material on their right when their outermost runs counter-clockwise. A path that
 /// is turned round in the end is made the other way.
-fn directed(ring: &Polyarc, way: Way) -> Polyarc {
+fn directed(ring: &Polyarc, way: CutDirection) -> Polyarc {
     if way.climb == way.outward { ring.reversed() } else { ring.clone() }
 }
 
 /// A branch that hangs on a node: where the link begins, what it leads to, and where it arrives.
 #[derive(Clone, Copy)]
 struct Branch {
-    from: Place,
+    from: PolyarcPlace,
     node: usize,
-    to: Place,
+    to: PolyarcPlace,
 }
 
 struct Tree {
     nodes: Vec<Polyarc>,
     branches: Vec<Vec<Branch>>,
     /// Nodes with which paths begin, and where on them.
-    roots: Vec<(usize, Place)>,
+    roots: Vec<(usize, PolyarcPlace)>,
     /// Number of nodes that hang below each one, one below the other.
     height: Vec<usize>,
 }
 
 /// A task that is still to be done; the next one is the last.
 enum Task {
-    Visit { node: usize, entry: Place, last: bool },
+    Visit { node: usize, entry: PolyarcPlace, last: bool },
     Follow(Polyarc),
     Go { from: Point2, to: Point2 },
 }
@@ -73,7 +73,12 @@ enum Task {
 impl Tree {
     /// The tree of links, hung up at a ring where the path begins, or at the first one. What has no link
     /// to it begins a tree of its own.
-    fn of(island: &Island, inside: &Inside, way: Way, first: Option<(usize, Point2)>) -> Self {
+    fn of(
+        island: &Island,
+        inside: &Inside,
+        way: CutDirection,
+        first: Option<(usize, Point2)>,
+    ) -> Self {
         let rings = island.rings.iter().map(|ring| directed(ring, way)).collect();
         let island = Island { rings, strokes: island.strokes.clone() };
         let links = links(&island, inside);
@@ -111,7 +116,7 @@ impl Tree {
         seen: &mut [bool],
         inside: &Inside,
     ) {
-        let start = Place { segment: 0, share: 0.0, at };
+        let start = PolyarcPlace { segment: 0, share: 0.0, at };
         let entry = self.nodes[root].nearest(at).map_or(start, |(place, _)| place);
         self.roots.push((root, entry));
         seen[root] = true;
@@ -135,17 +140,18 @@ impl Tree {
     }
 
     /// The same branch from where the node ends, if the link does not become much longer.
-    fn nearer_to(&self, entry: Place, branch: &Branch, inside: &Inside) -> Branch {
+    fn nearer_to(&self, entry: PolyarcPlace, branch: &Branch, inside: &Inside) -> Branch {
         let to = self.nodes[branch.node].nearest(entry.at).map(|(to, _)| to);
         let long = LONGER * branch.from.at.distance(branch.to.at);
-        let fits = |to: &Place| to.at.distance(entry.at) <= long && inside.joins(entry.at, to.at);
+        let fits =
+            |to: &PolyarcPlace| to.at.distance(entry.at) <= long && inside.joins(entry.at, to.at);
         let is_ring = self.nodes[branch.node].closed;
         let near = to.filter(|to| is_ring && fits(to));
         near.map_or(*branch, |to| Branch { from: entry, to, ..*branch })
     }
 
     /// The path round everything that hangs on a root.
-    fn walk(&self, root: usize, entry: Place) -> Polyarc {
+    fn walk(&self, root: usize, entry: PolyarcPlace) -> Polyarc {
         let mut path = Vec::new();
         let mut tasks = vec![Task::Visit { node: root, entry, last: true }];
         while let Some(task) = tasks.pop() {
@@ -165,18 +171,18 @@ impl Tree {
         Polyarc::from_segments(&path, false)
     }
 
-    fn visit(&self, node: usize, entry: Place, last: bool) -> Vec<Task> {
+    fn visit(&self, node: usize, entry: PolyarcPlace, last: bool) -> Vec<Task> {
         let path = &self.nodes[node];
         if path.closed { self.round(node, entry, last) } else { there_and_back(path, entry, last) }
     }
 
     /// Round a ring, with its branches on the way and those at its end after it. On the way to the last
     /// node of all the branch that is deepest waits until then, and there is no coming back from it.
-    fn round(&self, node: usize, entry: Place, last: bool) -> Vec<Task> {
+    fn round(&self, node: usize, entry: PolyarcPlace, last: bool) -> Vec<Task> {
         let ring = self.nodes[node].started_at(&entry);
-        let start = Place { segment: 0, share: 0.0, at: entry.at };
-        let end = Place { segment: ring.segment_count() - 1, share: 1.0, at: entry.at };
-        let mut stops: Vec<(Place, &Branch)> = self.branches[node]
+        let start = PolyarcPlace { segment: 0, share: 0.0, at: entry.at };
+        let end = PolyarcPlace { segment: ring.segment_count() - 1, share: 1.0, at: entry.at };
+        let mut stops: Vec<(PolyarcPlace, &Branch)> = self.branches[node]
             .iter()
             .map(|branch| (place_on(&ring, branch, end), branch))
             .collect();
@@ -205,7 +211,7 @@ impl Tree {
 }
 
 /// Returns the place where a branch begins on a ring; at its start it is the end, so that the ring is cut first.
-fn place_on(ring: &Polyarc, branch: &Branch, end: Place) -> Place {
+fn place_on(ring: &Polyarc, branch: &Branch, end: PolyarcPlace) -> PolyarcPlace {
     if branch.from.at.distance(end.at) <= tol::SAME_PLACE_MM {
         return end;
     }
@@ -224,7 +230,7 @@ fn there(branch: &Branch, last: bool) -> Vec<Task> {
 }
 
 /// Along a stroke from the end where it is entered, and back unless it is the last thing.
-fn there_and_back(stroke: &Polyarc, entry: Place, last: bool) -> Vec<Task> {
+fn there_and_back(stroke: &Polyarc, entry: PolyarcPlace, last: bool) -> Vec<Task> {
     let from_start =
         stroke.start().is_none_or(|start| start.distance(entry.at) <= tol::SAME_PLACE_MM);
     let there = if from_start { stroke.clone() } else { stroke.reversed() };
@@ -232,7 +238,7 @@ fn there_and_back(stroke: &Polyarc, entry: Place, last: bool) -> Vec<Task> {
     std::iter::once(Task::Follow(there)).chain(back).collect()
 }
 
-fn part(ring: &Polyarc, from: &Place, to: &Place) -> Polyarc {
+fn part(ring: &Polyarc, from: &PolyarcPlace, to: &PolyarcPlace) -> Polyarc {
     if (to.segment, to.share) <= (from.segment, from.share) {
         return Polyarc::default();
     }

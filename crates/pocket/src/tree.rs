@@ -6,13 +6,13 @@
 
 use crate::inside::Inside;
 use crate::islands::Island;
-use kerf_geom::{BoxTree, Place, Point2, Polyarc, Segment};
+use kerf_geom::{BoxTree, Point2, Polyarc, PolyarcPlace, Segment};
 
 /// A place on a node: a ring, or after all rings a stroke.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spot {
     pub node: usize,
-    pub place: Place,
+    pub place: PolyarcPlace,
 }
 
 /// A straight way between two nodes.
@@ -49,9 +49,9 @@ pub(crate) fn links(island: &Island, inside: &Inside) -> Vec<Link> {
 /// The link from the rings to the nearer end of a stroke.
 fn from_nearest(listed: &Listed, node: usize, stroke: &Polyarc) -> Option<Link> {
     let last = stroke.segment_count().saturating_sub(1);
-    let start = stroke.start().map(|at| Place { segment: 0, share: 0.0, at });
-    let end = stroke.end().map(|at| Place { segment: last, share: 1.0, at });
-    let link = |place: Place| {
+    let start = stroke.start().map(|at| PolyarcPlace { segment: 0, share: 0.0, at });
+    let end = stroke.end().map(|at| PolyarcPlace { segment: last, share: 1.0, at });
+    let link = |place: PolyarcPlace| {
         let (from, _) = listed.nearest(place.at, f64::INFINITY, |_| true)?;
         Some(Link { from, to: Spot { node, place } })
     };
@@ -89,7 +89,10 @@ impl Listed {
         let (number, distance) = self.tree.nearest(at, limit, measure)?;
         let (node, segment) = self.owners[number];
         let foot = self.segments[number].nearest(at);
-        Some((Spot { node, place: Place { segment, share: foot.share, at: foot.at } }, distance))
+        Some((
+            Spot { node, place: PolyarcPlace { segment, share: foot.share, at: foot.at } },
+            distance,
+        ))
     }
 }
 
@@ -127,10 +130,10 @@ fn shortest(rings: &[Polyarc], listed: &Listed, names: &[usize]) -> Vec<Option<L
 }
 
 /// Returns the places where links from a ring may begin: its vertices and the middles of its segments.
-fn places(ring: &Polyarc) -> impl Iterator<Item = Place> + '_ {
-    ring.segments()
-        .enumerate()
-        .flat_map(|(segment, s)| [0.0, 0.5].map(|share| Place { segment, share, at: s.at(share) }))
+fn places(ring: &Polyarc) -> impl Iterator<Item = PolyarcPlace> + '_ {
+    ring.segments().enumerate().flat_map(|(segment, s)| {
+        [0.0, 0.5].map(|share| PolyarcPlace { segment, share, at: s.at(share) })
+    })
 }
 
 /// Which rings hang together: each points to another of its cluster, the first one to itself.

@@ -11,7 +11,7 @@
 //! Nothing remains: a place farther than half a step inside the edge has a line within half a step, as
 //! the disc about it that reaches there lies where the centre may go; all others are covered from the edge.
 
-use crate::cutter::Way;
+use crate::cutter::CutDirection;
 use crate::inside::Inside;
 use crate::islands::{Island, islands_of};
 use crate::levels::{MOST_RINGS, Offsets};
@@ -67,7 +67,7 @@ fn cleared(
     mut offsets: Offsets,
 ) -> Result<Cleared, PocketError> {
     let inside = Inside::of(region, cutter);
-    let way = Way { climb: lines.climb, outward: false };
+    let way = CutDirection { climb: lines.climb, outward: false };
     let depth = cutter.first_depth_mm();
     let walls = islands_of(&offsets.inset(region, depth)?);
     let within = if lines.finish_mm > 0.0 {

@@ -2,7 +2,7 @@
 
 use crate::random::{check_cleared, random_case, seeds};
 use kerf_geom::{Offsetter, Point2, Polyarc, Transform2, Vec2};
-use kerf_pocket::{Cutter, Way, rings};
+use kerf_pocket::{CutDirection, Cutter, rings};
 
 fn p(x: f64, y: f64) -> Point2 {
     Point2::new(x, y)
@@ -12,7 +12,8 @@ fn p(x: f64, y: f64) -> Point2 {
 fn a_rectangle_is_cleared_by_one_path() {
     let region = [Polyarc::rectangle(p(0., 0.), p(100., 60.))];
     let cutter = Cutter::new(5.0, 0.1).unwrap();
-    let paths = rings(&region, &cutter, Way::default(), &Offsetter::default()).unwrap().paths;
+    let paths =
+        rings(&region, &cutter, CutDirection::default(), &Offsetter::default()).unwrap().paths;
     assert_eq!(paths.len(), 1);
     check_cleared("rectangle", &region, &paths, &cutter);
 }
@@ -22,7 +23,7 @@ fn random_regions_are_cleared() {
     let offsetter = Offsetter::default();
     for seed in seeds(25) {
         let (region, cutter) = random_case(seed);
-        let way = Way { climb: seed % 2 == 0, outward: seed % 3 == 0 };
+        let way = CutDirection { climb: seed % 2 == 0, outward: seed % 3 == 0 };
         let paths = rings(&region, &cutter, way, &offsetter)
             .unwrap_or_else(|e| panic!("{seed}: {e}"))
             .paths;
@@ -37,7 +38,8 @@ fn a_region_is_cleared_wherever_it_lies() {
     let wall = Polyarc::rounded_rectangle(p(0., 0.), p(40., 24.), 5.0);
     let clear = |region: &[Polyarc], scale: f64| {
         let cutter = Cutter::new(3.0 * scale, 0.3 * scale).unwrap();
-        let paths = rings(region, &cutter, Way::default(), &Offsetter::default()).unwrap().paths;
+        let paths =
+            rings(region, &cutter, CutDirection::default(), &Offsetter::default()).unwrap().paths;
         check_cleared("moved", region, &paths, &cutter);
         (paths.len(), paths.iter().map(Polyarc::length).sum::<f64>() / scale)
     };

@@ -11,7 +11,7 @@ use crate::setup::Setup;
 use crate::start::Start;
 use crate::step::Step;
 use crate::values::Values;
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_geom::{Bounds2, Point2};
 use kerf_machine::settings::axes::Z2;
 use kerf_machine::settings::job::Heads;
@@ -60,7 +60,7 @@ impl Extent<'_> {
         let reached = places.next().or_else(|| self.turned_too_far())?;
         let Reached { shape, what, axis, value } = reached;
         let letter = axis.letter();
-        let place = Place::line(self.setup.job.name.clone(), shape);
+        let place = SourcePlace::line(self.setup.job.name.clone(), shape);
         let message = format!("Out of bounds: {what} reaches {letter} {value:.3}");
         let told = Diagnostic::new(Code::OutsideLimits, place, message);
         let Some([low, high]) = self.setup.reach(axis) else { return Some(told) };

@@ -3,7 +3,7 @@
 use crate::cut::Cut;
 use crate::setup::Setup;
 use crate::values::Values;
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_program::job::JobShape;
 use std::collections::BTreeSet;
 
@@ -17,6 +17,6 @@ pub(crate) fn mistakes(setup: &Setup, values: &Values) -> Vec<Diagnostic> {
         Some((shape.number, format!("group {}: {why}", shape.group)))
     });
     let new = noted.chain(changed).filter(|(_, message)| told.insert(message.clone()));
-    let place = |number| Place::line(setup.job.name.clone(), number);
+    let place = |number| SourcePlace::line(setup.job.name.clone(), number);
     new.map(|(number, message)| Diagnostic::new(Code::OtherEntry, place(number), message)).collect()
 }

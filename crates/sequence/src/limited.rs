@@ -3,7 +3,7 @@
 
 use crate::setup::Setup;
 use crate::values::Values;
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_program::job::JobShape;
 
 /// Speeds are told in mm/min, to a tenth.
@@ -23,7 +23,7 @@ pub(crate) fn slower_warning(
         return None;
     }
     values.limited.push(shape.group.clone());
-    let place = Place::line(setup.job.name.clone(), shape.number);
+    let place = SourcePlace::line(setup.job.name.clone(), shape.number);
     let group = &shape.group;
     let message = format!("group {group}: {asked} mm/min is limited to {most} mm/min");
     let hint = "Lower the group's speed, or raise the machine's cutting speed.";

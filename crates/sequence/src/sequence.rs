@@ -15,7 +15,7 @@ use crate::sheet::Sheet;
 use crate::start::{Door, Jig, Start, straddling};
 use crate::step::Step;
 use crate::values::Values;
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_machine::lines::{Input, Output};
 use kerf_machine::state::Event;
 use kerf_machine::{Configuration, State};
@@ -241,7 +241,7 @@ impl Sequence {
     }
 
     fn outside_limits(&self, line: u32, message: String) -> Diagnostic {
-        let place = Place::line(self.setup.job.name.clone(), line);
+        let place = SourcePlace::line(self.setup.job.name.clone(), line);
         Diagnostic::new(Code::OutsideLimits, place, message)
     }
 

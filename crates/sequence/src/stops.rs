@@ -9,7 +9,7 @@ use crate::path::keep_place;
 use crate::place::Stage;
 use crate::sequence::Sequence;
 use crate::step::Step;
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_machine::PauseOrder;
 use kerf_machine::lines::Output;
 use kerf_machine::state::{Effect, Event, RELEASE_S, State};
@@ -172,7 +172,7 @@ impl Sequence {
             return self.end(Status::Stopped);
         }
         let place =
-            Place::line(self.setup.job.name.clone(), self.progress.at(&self.setup.job).line);
+            SourcePlace::line(self.setup.job.name.clone(), self.progress.at(&self.setup.job).line);
         let why =
             Some(Box::new(Diagnostic::new(Code::InputStop, place, self.halt.why.to_string())));
         self.over = Some((Status::Limit, why.clone()));

@@ -9,7 +9,7 @@
 use crate::shape_paths::{Pass, ShapePath};
 use crate::warning::Warning;
 use kerf_drawing::{CutDepth, GroupSettings};
-use kerf_geom::{Place, Polyarc};
+use kerf_geom::{Polyarc, PolyarcPlace};
 
 /// Of a path, at the most this share belongs to one end of it.
 const MOST_OF_A_PATH: f64 = 0.3;
@@ -107,10 +107,10 @@ fn gap_mm(path: &ShapePath, tag_mm: f64) -> Option<f64> {
 }
 
 fn piece(path: &Polyarc, from_mm: f64, to_mm: f64) -> Option<Polyarc> {
-    let place = |far: f64| -> Option<Place> { path.place_after(far) };
+    let place = |far: f64| -> Option<PolyarcPlace> { path.place_after(far) };
     let last = || {
         let segment = path.segment_count().checked_sub(1)?;
-        Some(Place { segment, share: 1.0, at: path.end()? })
+        Some(PolyarcPlace { segment, share: 1.0, at: path.end()? })
     };
     let to = if to_mm < path.length() { place(to_mm) } else { last() };
     Some(path.between(&place(from_mm)?, &to?))

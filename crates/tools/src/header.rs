@@ -3,7 +3,7 @@
 use crate::entries::Mistake;
 use crate::field::{Field, Kind, choice, text};
 use crate::lines::part_name;
-use crate::{Entries, OutputFile, Place, Tool, ToolOutput};
+use crate::{Entries, FileFolder, OutputFile, Tool, ToolOutput};
 
 const FIELDS: &[Field] = &[
     Field {
@@ -76,7 +76,7 @@ fn make(entries: &Entries<'_>) -> Result<ToolOutput, Vec<Mistake>> {
     let run = |key: &str| Some(entries.text(key)).filter(|name| !name.is_empty());
     let text = with_header(&before, &told, run("before"), run("after"));
     let backup = format!("{}.bak", name.rsplit_once('.').map_or(&*name, |(stem, _)| stem));
-    let file = |name, text| OutputFile { place: Place::Parts, name, text };
+    let file = |name, text| OutputFile { place: FileFolder::Parts, name, text };
     Ok(ToolOutput { files: vec![file(name, text), file(backup, before)], notes: Vec::new() })
 }
 

@@ -32,7 +32,7 @@ pub use field::{Field, Kind};
 pub use folders::Folders;
 pub use header::with_header;
 pub use table::{TOOLS, tool};
-pub use tool::{OutputFile, Place, Tool, ToolOutput};
+pub use tool::{FileFolder, OutputFile, Tool, ToolOutput};
 
 #[cfg(test)]
 mod testing {

@@ -2,7 +2,7 @@
 
 use crate::field::{Field, Kind, choice, length, text};
 use crate::lines::number;
-use crate::{Entries, Mistake, OutputFile, Place, Tool, ToolOutput};
+use crate::{Entries, FileFolder, Mistake, OutputFile, Tool, ToolOutput};
 
 /// A field for an input.
 const fn input(key: &'static str, label: &'static str, default: &'static str) -> Field {
@@ -44,7 +44,7 @@ fn make(entries: &Entries<'_>) -> Result<ToolOutput, Vec<Mistake>> {
         }
     }
     let text = variables(entries).join("\n") + "\n";
-    let file = OutputFile { place: Place::Custom, name: "my_variables.sbc".into(), text };
+    let file = OutputFile { place: FileFolder::Custom, name: "my_variables.sbc".into(), text };
     let mut notes = Vec::new();
     if entries.is("plate", "yes") {
         notes.push("C2 zeroes Z with the plate.".into());

@@ -32,7 +32,7 @@ pub struct ToolOutput {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OutputFile {
     /// Folder to which it belongs.
-    pub place: Place,
+    pub place: FileFolder,
     /// Its name.
     pub name: String,
     /// Content.
@@ -41,7 +41,7 @@ pub struct OutputFile {
 
 /// Folder to which a file belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum FileFolder {
     /// The part folder.
     Parts,
     /// The folder of custom cuts.
@@ -78,6 +78,6 @@ impl ToolOutput {
     /// A part file, with notes.
     pub(crate) fn part(name: &str, lines: Vec<String>, notes: Vec<String>) -> Self {
         let (name, text) = (lines::part_name(name), lines.join("\n") + "\n");
-        Self { files: vec![OutputFile { place: Place::Parts, name, text }], notes }
+        Self { files: vec![OutputFile { place: FileFolder::Parts, name, text }], notes }
     }
 }

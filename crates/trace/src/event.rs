@@ -354,7 +354,7 @@ pub struct MoveEvent {
     /// Its line.
     pub line: u32,
     /// Place where it ended.
-    pub to: Place,
+    pub to: Location,
     /// Machine time at its start, s.
     pub t0: f64,
     /// Machine time at its end, s.
@@ -363,7 +363,7 @@ pub struct MoveEvent {
     pub speed: f64,
     /// Place where it started; not part of the trace.
     #[serde(skip)]
-    pub from: Place,
+    pub from: Location,
 }
 
 /// A circular move or a helix.
@@ -383,7 +383,7 @@ pub struct ArcEvent {
 /// A location of all axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[allow(missing_docs)]
-pub struct Place {
+pub struct Location {
     pub x: f64,
     pub y: f64,
     pub z: f64,
@@ -392,14 +392,14 @@ pub struct Place {
     pub c: f64,
 }
 
-impl Place {
+impl Location {
     /// The value of an axis.
     pub fn of(&self, axis: kerf_program::Axis) -> f64 {
         [self.x, self.y, self.z, self.a, self.b, self.c][axis.index()]
     }
 }
 
-impl From<kerf_program::Axes> for Place {
+impl From<kerf_program::Axes> for Location {
     fn from(axes: kerf_program::Axes) -> Self {
         let [x, y, z, a, b, c] = axes.0;
         Self { x, y, z, a, b, c }

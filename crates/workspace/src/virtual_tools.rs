@@ -4,7 +4,7 @@
 use crate::Workspace;
 use crate::fonts::font;
 use kerf_program::{FileRequest, Folder, HostError, ShellCall, ToolCall, no_such_tool};
-use kerf_tools::{AddIn, Folders, Mistake, Place, Tool, ToolOutput};
+use kerf_tools::{AddIn, FileFolder, Folders, Mistake, Tool, ToolOutput};
 use std::cell::RefCell;
 
 /// Name of the file of added tools in the data folder.
@@ -71,12 +71,12 @@ pub fn use_tool(
     };
     for file in &made.files {
         let folder = match file.place {
-            Place::Parts => Folder::Parts,
-            Place::Custom => Folder::Custom,
+            FileFolder::Parts => Folder::Parts,
+            FileFolder::Custom => Folder::Custom,
         };
         workspace.put_made(folder, &file.name, &file.text)?;
     }
-    let first = made.files.first().filter(|file| file.place == Place::Parts);
+    let first = made.files.first().filter(|file| file.place == FileFolder::Parts);
     workspace.made =
         first.map(|file| workspace.part_folder().join(&file.name).display().to_string());
     Ok(Ok(made))

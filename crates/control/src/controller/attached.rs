@@ -13,7 +13,7 @@ use crate::kept_pace::keep_pace;
 use crate::learned::Learned;
 use crate::own_pace::OwnPace;
 use crate::session::DrivenBy;
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_journal::{RunOptions, Work, facts::Fact};
 use kerf_machine::driver::{
     CardAnswer, CardJob, CardTask, Changed, Signal, ToldSetting, Zero, ZeroChange,
@@ -476,7 +476,7 @@ impl Controller {
     ) -> Vec<Diagnostic> {
         if let (true, Some(why)) = (!is_made_in_wait(work) && self.waits_for_tool(), self.waits()) {
             let why = format!("{}: {why}", self.name());
-            return vec![Diagnostic::new(Code::Controller, Place::line(work.name(), 0), why)];
+            return vec![Diagnostic::new(Code::Controller, SourcePlace::line(work.name(), 0), why)];
         }
         let connection = self.connection.borrow();
         let lacks = Lacks::new(connection.name(), connection.facts(), connection.offset());

@@ -1,6 +1,6 @@
 //! Finds, before anything moves, what a program asks for that a controller does not have.
 
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace};
 use kerf_machine::Actuator;
 use kerf_machine::driver::Facts;
 use kerf_machine::lines::Output;
@@ -81,7 +81,7 @@ impl Lacks {
 
     fn tell(&mut self, severity: Severity, what: &str) {
         if self.seen.insert(what.to_owned()) {
-            let place = Place::line(self.file.clone(), self.line);
+            let place = SourcePlace::line(self.file.clone(), self.line);
             let told = Diagnostic::new(Code::Controller, place, format!("{} {what}", self.name));
             self.found.push(told.severity(severity));
         }

@@ -16,7 +16,7 @@ use kerf_sbp::Status;
 use kerf_sim::{Clock, Opened, Simulated};
 use kerf_trace::{
     Event, Sink,
-    event::{MoveEvent, Place},
+    event::{Location, MoveEvent},
 };
 use kerf_workspace::{Workspace, stored::Stored};
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -222,11 +222,11 @@ pub fn told(event: &Event) -> Option<String> {
         Event::Arc(arc) => format!(" about {:.6},{:.6} {}", arc.centre.x, arc.centre.y, arc.dir),
         _ => String::new(),
     };
-    let Place { x, y, z, .. } = made.to;
+    let Location { x, y, z, .. } = made.to;
     Some(format!("{:?} {} {x:.6},{y:.6},{z:.6}{circle}", made.kind, made.line))
 }
 
-pub fn near(a: &Place, b: &Place) -> bool {
+pub fn near(a: &Location, b: &Location) -> bool {
     (a.x - b.x).abs() + (a.y - b.y).abs() + (a.z - b.z).abs() < 1e-9
 }
 

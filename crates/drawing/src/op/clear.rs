@@ -10,7 +10,7 @@ use super::words::{WordError, Words, number};
 use super::{OpError, Outcome};
 use crate::{CutDepth, Editor, Group, Shape};
 use kerf_geom::{GeomError, Offsetter, Polyarc};
-use kerf_pocket::{Cleared, Cutter, PocketError, Way, Zigzag};
+use kerf_pocket::{Cleared, CutDirection, Cutter, PocketError, Zigzag};
 use serde::{Deserialize, Serialize};
 use std::fmt::{Display, Formatter};
 
@@ -40,7 +40,7 @@ pub struct Clearing {
 #[serde(tag = "pattern", rename_all = "lowercase")]
 pub enum Pattern {
     /// Ring by ring.
-    Rings(Way),
+    Rings(CutDirection),
     /// Line by line.
     Zigzag(Zigzag),
 }
@@ -112,7 +112,7 @@ impl PocketWords {
             None if finish_mm.is_some() => {
                 Err(WordError::Missing("zigzag=ANGLE, which finish= needs,"))
             }
-            None => Ok(Pattern::Rings(Way { climb, outward })),
+            None => Ok(Pattern::Rings(CutDirection { climb, outward })),
         }
     }
 }
@@ -196,7 +196,7 @@ pub(super) fn pocket(
 /// P-34).
 pub(super) fn engrave(draft: &mut Editor, clearing: &Clearing) -> Result<Outcome, OpError> {
     clear(draft, clearing, |region, cutter, offsetter| {
-        kerf_pocket::rings(region, cutter, Way::default(), offsetter)
+        kerf_pocket::rings(region, cutter, CutDirection::default(), offsetter)
     })
 }
 

@@ -1,7 +1,7 @@
 //! The best places of all, not only those that were tried: closed contours are entered wherever the way
 //! from the cut before and to the next one is least.
 
-use super::site::Way;
+use super::site::CutEnds;
 use super::tour::Tour;
 use crate::Drawing;
 use kerf_geom::{Point2, Segment};
@@ -33,7 +33,7 @@ pub(super) fn polish(tour: &mut Tour, drawing: &Drawing) {
 fn settle(tour: &mut Tour, stop: usize, segments: impl Iterator<Item = Segment>) -> f64 {
     let (before, after) = (tour.previous(stop), tour.next(stop));
     let through =
-        |place: Point2| tour.through(before, stop, &Way { enter: place, leave: place }, after);
+        |place: Point2| tour.through(before, stop, &CutEnds { enter: place, leave: place }, after);
     let present = through(tour.ends(stop).enter);
     let (mut least, mut found) = (present - WORTH_S, None);
     for segment in segments {
@@ -46,7 +46,7 @@ fn settle(tour: &mut Tour, stop: usize, segments: impl Iterator<Item = Segment>)
     }
     let Some(place) = found else { return 0.0 };
     let gained = present - through(place);
-    tour.set_ends(stop, Way { enter: place, leave: place });
+    tour.set_ends(stop, CutEnds { enter: place, leave: place });
     gained
 }
 

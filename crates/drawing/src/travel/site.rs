@@ -7,12 +7,12 @@ use std::sync::Arc;
 
 /// Places where a cut begins and ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Way {
+pub(super) struct CutEnds {
     pub enter: Point2,
     pub leave: Point2,
 }
 
-impl Way {
+impl CutEnds {
     const fn at(place: Point2) -> Self {
         Self { enter: place, leave: place }
     }
@@ -24,7 +24,7 @@ pub(super) struct Stop {
     /// Its place in the drawing.
     pub shape: usize,
     /// Ways in which it may be cut: places of a closed one, both directions of an open one.
-    pub ways: Vec<Way>,
+    pub ways: Vec<CutEnds>,
     /// The stop that must come later, because this one lies in it.
     pub parent: Option<usize>,
     /// The stops that lie directly in this one.
@@ -78,7 +78,7 @@ impl Site {
         &self.stops[stop]
     }
 
-    pub fn ways(&self, stop: usize) -> &[Way] {
+    pub fn ways(&self, stop: usize) -> &[CutEnds] {
         &self.stops[stop].ways
     }
 
@@ -110,7 +110,7 @@ impl Site {
 fn home(from: Point2) -> Stop {
     Stop {
         shape: usize::MAX,
-        ways: vec![Way::at(from)],
+        ways: vec![CutEnds::at(from)],
         parent: None,
         children: Vec::new(),
         tool: None,
@@ -142,14 +142,17 @@ fn stop(shape: &Shape, n: usize, parent: Option<usize>, drawing: &Drawing, start
     }
 }
 
-fn present(shape: &Shape) -> Way {
+fn present(shape: &Shape) -> CutEnds {
     let enter = shape.start();
-    Way { enter, leave: if shape.is_closed() { enter } else { shape.path.end().unwrap_or(enter) } }
+    CutEnds {
+        enter,
+        leave: if shape.is_closed() { enter } else { shape.path.end().unwrap_or(enter) },
+    }
 }
 
-fn both_ways(shape: &Shape) -> Vec<Way> {
+fn both_ways(shape: &Shape) -> Vec<CutEnds> {
     let there = present(shape);
-    vec![there, Way { enter: there.leave, leave: there.enter }]
+    vec![there, CutEnds { enter: there.leave, leave: there.enter }]
 }
 
 /// Returns `true` if an open shape may be cut the other way round: nothing of its path lies on one side of it or at
@@ -163,14 +166,14 @@ fn may_turn(settings: &GroupSettings) -> bool {
 /// Places where the cut of a closed shape may begin. With leads they are the middles of its segments, and
 /// a start that someone chose within one: a lead at a corner cuts into the part, or into what lies beside
 /// it.
-fn places(shape: &Shape, leads: bool) -> Vec<Way> {
+fn places(shape: &Shape, leads: bool) -> Vec<CutEnds> {
     let path = &shape.path;
     if leads {
         let every = path.segment_count().div_ceil(PLACES).max(1);
-        let middles = path.segments().step_by(every).map(|segment| Way::at(segment.at(0.5)));
+        let middles = path.segments().step_by(every).map(|segment| CutEnds::at(segment.at(0.5)));
         return shape.start_inserted.then(|| present(shape)).into_iter().chain(middles).collect();
     }
     let step = path.length() / PLACES as f64;
     let others = (1..PLACES).filter_map(|n| path.place_after(step * n as f64));
-    [present(shape)].into_iter().chain(others.map(|place| Way::at(place.at))).collect()
+    [present(shape)].into_iter().chain(others.map(|place| CutEnds::at(place.at))).collect()
 }

@@ -1,6 +1,6 @@
 //! A tour: an order of the stops, and a way to cut each.
 
-use super::site::{Site, Way};
+use super::site::{CutEnds, Site};
 
 /// An order of all stops, home first, and how each is cut.
 #[derive(Clone, Debug)]
@@ -12,7 +12,7 @@ pub(super) struct Tour<'a> {
     /// Which of its ways each stop takes.
     way: Vec<usize>,
     /// Places where each stop is entered and left.
-    ends: Vec<Way>,
+    ends: Vec<CutEnds>,
     tools: Vec<Option<u8>>,
 }
 
@@ -57,7 +57,7 @@ impl<'a> Tour<'a> {
         self.order[if place == 0 { self.order.len() - 1 } else { place - 1 }]
     }
 
-    pub fn ends(&self, stop: usize) -> Way {
+    pub fn ends(&self, stop: usize) -> CutEnds {
         self.ends[stop]
     }
 
@@ -71,7 +71,7 @@ impl<'a> Tour<'a> {
     }
 
     /// Lets a closed shape begin at a place that is none of its ways.
-    pub fn set_ends(&mut self, stop: usize, ends: Way) {
+    pub fn set_ends(&mut self, stop: usize, ends: CutEnds) {
         self.ends[stop] = ends;
     }
 
@@ -82,7 +82,7 @@ impl<'a> Tour<'a> {
     }
 
     /// Seconds from the stop before to a stop and on to the one after, were it cut so.
-    pub fn through(&self, before: usize, stop: usize, way: &Way, after: usize) -> f64 {
+    pub fn through(&self, before: usize, stop: usize, way: &CutEnds, after: usize) -> f64 {
         let [a, b, c] = [before, stop, after].map(|stop| self.tools[stop]);
         let (from, to) = (self.ends[before].leave, self.ends[after].enter);
         self.site.seconds(from, way.enter, [a, b]) + self.site.seconds(way.leave, to, [b, c])

@@ -12,7 +12,7 @@ pub(super) fn choose(tour: &mut Tour) {
     let mut before = site.home();
     for stop in &stops {
         let tools = [site.stop(before).tool, site.stop(*stop).tool];
-        let step = |to: &super::site::Way| {
+        let step = |to: &super::site::CutEnds| {
             let from = site.ways(before).iter().zip(&least).enumerate();
             let reached = from
                 .map(|(n, (way, so_far))| (n, so_far + site.seconds(way.leave, to.enter, tools)));

@@ -1,7 +1,7 @@
 //! ELLIPSE and SPLINE, and chords of arcs.
 
 use super::file::Entity;
-use super::importing::{Import, Place};
+use super::importing::{Destination, Import};
 use super::map::Vec3;
 use super::through::through;
 use kerf_drawing::Shape;
@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 pub(super) fn ellipse<'f, 'a>(
     import: &mut Import<'f, 'a, '_>,
     entity: &Entity<'f, 'a>,
-    place: &Place<'a>,
+    place: &Destination<'a>,
 ) {
     let (centre, major) = (import.corner(entity, 0), import.corner(entity, 1));
     let (Some(centre), Some(major)) = (centre, major) else { return };
@@ -64,7 +64,7 @@ const CLOSED: i64 = 1;
 pub(super) fn spline<'f, 'a>(
     import: &mut Import<'f, 'a, '_>,
     entity: &Entity<'f, 'a>,
-    place: &Place<'a>,
+    place: &Destination<'a>,
 ) {
     let Some(mut parts) = parts(import, entity) else { return };
     // Numbers of codes 70 to 74 are small; what does not fit is refused by the spline.
@@ -106,7 +106,7 @@ pub(super) fn spline<'f, 'a>(
 fn lines<'f, 'a>(
     import: &mut Import<'f, 'a, '_>,
     entity: &Entity<'f, 'a>,
-    place: &Place<'a>,
+    place: &Destination<'a>,
     world: Vec<Vec3>,
 ) {
     if world.iter().all(|p| p.z == world[0].z) {

@@ -1,7 +1,7 @@
 //! From entities to shapes.
 
 use super::file::{Entity, File, entities};
-use super::importing::{Import, Options, Place};
+use super::importing::{Destination, Import, Options};
 use super::map::{Map3, Vec3};
 use super::tag::{Tag, tags};
 use super::write::Notes;
@@ -47,7 +47,7 @@ pub(crate) fn read_with_notes(
     let unit = unit(&file, options, &mut findings);
     let effort = effort(&tags, options, given_up);
     let mut import = Import::new(&file, *options, findings, effort);
-    let world = Place { map: Map3::scaled(unit, unit, unit), layer: None };
+    let world = Destination { map: Map3::scaled(unit, unit, unit), layer: None };
     for section in &file.entities {
         import.entities(section, &world);
     }
@@ -77,7 +77,7 @@ fn unit(file: &File, options: &Options, findings: &mut Findings) -> f64 {
 
 impl<'f, 'a> Import<'f, 'a, '_> {
     /// Draws the entities of a section or a block.
-    pub fn entities(&mut self, tags: &'f [Tag<'a>], place: &Place<'a>) {
+    pub fn entities(&mut self, tags: &'f [Tag<'a>], place: &Destination<'a>) {
         let mut rest = entities(tags).peekable();
         while let Some(entity) = rest.next() {
             if !self.goes_on() {
@@ -99,7 +99,7 @@ impl<'f, 'a> Import<'f, 'a, '_> {
         }
     }
 
-    fn single(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>) {
+    fn single(&mut self, entity: &Entity<'f, 'a>, place: &Destination<'a>) {
         match entity.name {
             b"LINE" => self.line(entity, place),
             b"POINT" => self.point(entity, place),
@@ -115,7 +115,7 @@ impl<'f, 'a> Import<'f, 'a, '_> {
         }
     }
 
-    fn line(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>) {
+    fn line(&mut self, entity: &Entity<'f, 'a>, place: &Destination<'a>) {
         let (from, to) = (self.corner(entity, 0), self.corner(entity, 1));
         let (Some(from), Some(to)) = (from, to) else { return };
         let ends = [place.map.apply(from), place.map.apply(to)];
@@ -130,19 +130,19 @@ impl<'f, 'a> Import<'f, 'a, '_> {
         }
     }
 
-    fn point(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>) {
+    fn point(&mut self, entity: &Entity<'f, 'a>, place: &Destination<'a>) {
         if let Some(at) = self.corner(entity, 0) {
             self.add(entity, place, Shape::point(place.map.apply(at).flat()));
         }
     }
 
-    fn circle(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>) {
+    fn circle(&mut self, entity: &Entity<'f, 'a>, place: &Destination<'a>) {
         let Some((centre, radius)) = self.centre_and_radius(entity) else { return };
         let path = Polyarc::circle(centre.flat(), radius);
         self.flat(entity, place, &path, centre.z);
     }
 
-    fn arc(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>) {
+    fn arc(&mut self, entity: &Entity<'f, 'a>, place: &Destination<'a>) {
         let Some((centre, radius)) = self.centre_and_radius(entity) else { return };
         let from = entity.real(50, &mut self.findings);
         let to = entity.real(51, &mut self.findings);

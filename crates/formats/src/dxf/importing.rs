@@ -42,14 +42,14 @@ impl Default for Options {
 
 /// Destination of entities: the world, or the world by way of a block.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place<'a> {
+pub(super) struct Destination<'a> {
     /// From the frame of the entities to the world.
     pub map: Map3,
     /// The layer of the INSERT, which entities on layer 0 of a block take over.
     pub layer: Option<&'a [u8]>,
 }
 
-impl<'a> Place<'a> {
+impl<'a> Destination<'a> {
     /// The layer of an entity: what stands on layer 0 of a block stands on that of its INSERT.
     pub fn layer_of(&self, entity: &Entity<'_, 'a>) -> &'a [u8] {
         let own = entity.tag(8).map_or(b"0".as_slice(), |tag| tag.name());
@@ -118,7 +118,7 @@ impl<'f, 'a, 'g> Import<'f, 'a, 'g> {
     }
 
     /// Returns `true` if drawing programs do not show an entity, and it shall not be drawn.
-    pub fn hides(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>) -> bool {
+    pub fn hides(&mut self, entity: &Entity<'f, 'a>, place: &Destination<'a>) -> bool {
         !self.options.unseen && self.unseen.hides(entity, place.layer_of(entity), &self.file.unseen)
     }
 
@@ -162,7 +162,7 @@ impl<'f, 'a, 'g> Import<'f, 'a, 'g> {
     }
 
     /// The map from the frame in which an entity is drawn to the world.
-    pub fn frame(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>) -> Map3 {
+    pub fn frame(&mut self, entity: &Entity<'f, 'a>, place: &Destination<'a>) -> Map3 {
         Map3::of_extrusion(self.extrusion(entity)).then(&place.map)
     }
 
@@ -177,7 +177,7 @@ impl<'f, 'a, 'g> Import<'f, 'a, 'g> {
     pub fn flat(
         &mut self,
         entity: &Entity<'f, 'a>,
-        place: &Place<'a>,
+        place: &Destination<'a>,
         path: &Polyarc,
         height: f64,
     ) {
@@ -199,7 +199,7 @@ impl<'f, 'a, 'g> Import<'f, 'a, 'g> {
     fn slanted(
         &mut self,
         entity: &Entity<'f, 'a>,
-        place: &Place<'a>,
+        place: &Destination<'a>,
         path: &Polyarc,
         height: f64,
         map: &Map3,
@@ -214,7 +214,7 @@ impl<'f, 'a, 'g> Import<'f, 'a, 'g> {
     pub fn in_space(
         &mut self,
         entity: &Entity<'f, 'a>,
-        place: &Place<'a>,
+        place: &Destination<'a>,
         mut places: Vec<Vec3>,
         closed: bool,
     ) {
@@ -234,7 +234,7 @@ impl<'f, 'a, 'g> Import<'f, 'a, 'g> {
     }
 
     /// Adds a shape to the drawing and to its layer.
-    pub fn add(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>, shape: Shape) {
+    pub fn add(&mut self, entity: &Entity<'f, 'a>, place: &Destination<'a>, shape: Shape) {
         let note = entity.tag(999).map(Tag::text).unwrap_or_default();
         let stays = entity.name == b"POINT" || self.options.as_written && note.starts_with(MARK);
         let tidied = if stays { Some(shape) } else { crate::tidy::tidied(shape) };

@@ -1,7 +1,7 @@
 //! INSERT: the entities of a block, placed again.
 
 use super::file::{Entity, entities};
-use super::importing::{Import, OpenBlock, Place};
+use super::importing::{Destination, Import, OpenBlock};
 use super::map::{Map3, Vec3};
 
 /// Blocks within blocks, at the most.
@@ -10,7 +10,7 @@ const DEEPEST: usize = 32;
 pub(super) fn insert<'f, 'a>(
     import: &mut Import<'f, 'a, '_>,
     entity: &Entity<'f, 'a>,
-    place: &Place<'a>,
+    place: &Destination<'a>,
 ) {
     let name = entity.tag(2).map_or(b"".as_slice(), |tag| tag.name());
     let block = import.block(name).filter(|_| import.options.explode);
@@ -42,7 +42,7 @@ pub(super) fn insert<'f, 'a>(
             break;
         }
         let map = Map3::moved(Vec3::new(-base.x, -base.y, -base.z)).then(&copy);
-        import.entities(block.tags, &Place { map, layer });
+        import.entities(block.tags, &Destination { map, layer });
     }
     import.open_blocks.pop();
 }
@@ -52,7 +52,7 @@ pub(super) fn insert<'f, 'a>(
 fn copies<'f, 'a>(
     import: &mut Import<'f, 'a, '_>,
     entity: &Entity<'f, 'a>,
-    place: &Place<'a>,
+    place: &Destination<'a>,
 ) -> Option<impl Iterator<Item = Map3> + use<>> {
     let at = import.corner(entity, 0)?;
     let mut real = |code, default| entity.real_or(code, default, &mut import.findings);

@@ -1,7 +1,7 @@
 //! POLYLINE with its VERTEX entities, and LWPOLYLINE.
 
 use super::file::Entity;
-use super::importing::{Import, Place};
+use super::importing::{Destination, Import};
 use super::map::Vec3;
 use super::skipped;
 use kerf_geom::{Polyarc, Vertex};
@@ -23,7 +23,7 @@ const FRAME_POINT: i64 = 16;
 pub(super) fn light<'f, 'a>(
     import: &mut Import<'f, 'a, '_>,
     entity: &Entity<'f, 'a>,
-    place: &Place<'a>,
+    place: &Destination<'a>,
 ) {
     let mut vertices: Vec<Vertex> = Vec::new();
     let mut broken = false;
@@ -55,7 +55,7 @@ pub(super) fn old<'f, 'a>(
     import: &mut Import<'f, 'a, '_>,
     entity: &Entity<'f, 'a>,
     rest: &mut Peekable<impl Iterator<Item = Entity<'f, 'a>>>,
-    place: &Place<'a>,
+    place: &Destination<'a>,
 ) {
     let flags = entity.whole(70, &mut import.findings);
     let mut places: Vec<(Vec3, f64)> = Vec::new();
@@ -115,7 +115,7 @@ fn told_broken(import: &mut Import, entity: &Entity) {
 fn add<'f, 'a>(
     import: &mut Import<'f, 'a, '_>,
     entity: &Entity<'f, 'a>,
-    place: &Place<'a>,
+    place: &Destination<'a>,
     vertices: Vec<Vertex>,
     closed: bool,
     height: f64,

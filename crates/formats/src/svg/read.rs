@@ -69,7 +69,7 @@ fn imported(
 
 /// Place and circumstances in which an element is drawn.
 #[derive(Clone, Copy)]
-struct Place<'a> {
+struct ElementContext<'a> {
     map: Transform2,
     layer: Option<&'a str>,
     depth: usize,
@@ -126,7 +126,10 @@ impl<'a, 'g> Reading<'a, 'g> {
         }
         let measure = Measure { room: page.room, page: page.sheet, letter, page_letter: letter };
         let inherited = Inherited { measure, ..inherited };
-        self.children(root, &Place { map: page.map, layer: None, depth: 0, inherited, user: None });
+        self.children(
+            root,
+            &ElementContext { map: page.map, layer: None, depth: 0, inherited, user: None },
+        );
     }
 
     fn tell(&mut self, weight: Weight, kind: &'static str, at: usize, text: String) {
@@ -141,13 +144,13 @@ impl<'a, 'g> Reading<'a, 'g> {
         self.tell(Weight::Warning, kind, node.range().start, text);
     }
 
-    fn children(&mut self, node: Node<'a, 'a>, place: &Place<'a>) {
+    fn children(&mut self, node: Node<'a, 'a>, place: &ElementContext<'a>) {
         for child in node.children().filter(Node::is_element) {
             self.element(child, place);
         }
     }
 
-    fn element(&mut self, node: Node<'a, 'a>, place: &Place<'a>) {
+    fn element(&mut self, node: Node<'a, 'a>, place: &ElementContext<'a>) {
         if !self.goes_on(place) {
             return;
         }
@@ -179,14 +182,14 @@ impl<'a, 'g> Reading<'a, 'g> {
     }
 
     /// Counts an element; nothing more is drawn when this is false.
-    fn goes_on(&mut self, place: &Place<'a>) -> bool {
+    fn goes_on(&mut self, place: &ElementContext<'a>) -> bool {
         let goes_on = self.effort.goes_on(place.user.is_some());
         self.tell_too_much(place);
         goes_on
     }
 
     /// Tells of the `use` that draws too much, if that is so.
-    fn tell_too_much(&mut self, place: &Place<'a>) {
+    fn tell_too_much(&mut self, place: &ElementContext<'a>) {
         let Some(user) = place.user.filter(|_| self.effort.ended().is_some()) else { return };
         let what = format!("<use> of `{}`", used_name(user));
         let at = self.places.of_byte(user.range().start);
@@ -215,7 +218,11 @@ impl<'a, 'g> Reading<'a, 'g> {
     }
 
     /// Returns the place in which an element is drawn; nothing where that cannot be told.
-    fn place_of(&mut self, look: &Look<'a>, place: &Place<'a>) -> Option<Place<'a>> {
+    fn place_of(
+        &mut self,
+        look: &Look<'a>,
+        place: &ElementContext<'a>,
+    ) -> Option<ElementContext<'a>> {
         let inherited = place.inherited.with(look);
         match transform(look, &inherited.measure) {
             Err(why) => {
@@ -226,13 +233,19 @@ impl<'a, 'g> Reading<'a, 'g> {
             Ok(own) => {
                 let layer = place.layer.or_else(|| layer_name(look.node));
                 let map = own.then(&place.map);
-                Some(Place { map, layer, depth: place.depth + 1, inherited, user: place.user })
+                Some(ElementContext {
+                    map,
+                    layer,
+                    depth: place.depth + 1,
+                    inherited,
+                    user: place.user,
+                })
             }
         }
     }
 
     /// The first of several ways to draw the same that a reader of English without extensions can take.
-    fn switch(&mut self, node: Node<'a, 'a>, place: &Place<'a>) {
+    fn switch(&mut self, node: Node<'a, 'a>, place: &ElementContext<'a>) {
         let ways: Vec<_> = node.children().filter(Node::is_element).collect();
         let Some(chosen) = ways.iter().position(|way| is_for_us(*way)) else {
             let text = "<switch>: nothing in it is for readers like this one: left out";
@@ -253,19 +266,19 @@ impl<'a, 'g> Reading<'a, 'g> {
     }
 
     /// Draws what stands in a symbol or in an SVG within an SVG; `user` says where and how large that is.
-    fn view(&mut self, look: &Look<'a>, user: &Look<'a>, place: &Place<'a>) {
+    fn view(&mut self, look: &Look<'a>, user: &Look<'a>, place: &ElementContext<'a>) {
         match inner(look, user, &place.inherited.measure) {
             Err(why) => self.warn("shape", user.node, format!("{why}: left out")),
             Ok((map, room)) => {
                 let inherited = place.inherited.within(room);
-                let place = Place { map: map.then(&place.map), inherited, ..*place };
+                let place = ElementContext { map: map.then(&place.map), inherited, ..*place };
                 self.children(look.node, &place);
             }
         }
     }
 
     /// `use` draws an element again, moved by x and y.
-    fn use_again(&mut self, look: &Look<'a>, place: &Place<'a>) {
+    fn use_again(&mut self, look: &Look<'a>, place: &ElementContext<'a>) {
         let (node, name) = (look.node, used_name(look.node));
         let Some(found) = self.ids.get(name).copied() else {
             return self.warn("use", node, format!("<use> of `{name}`, which is not there"));
@@ -279,10 +292,10 @@ impl<'a, 'g> Reading<'a, 'g> {
         };
         let map = Transform2::moved(Vec2::new(x, y)).then(&place.map);
         let user = place.user.or(Some(node));
-        self.used(found, look, &Place { map, user, ..*place });
+        self.used(found, look, &ElementContext { map, user, ..*place });
     }
 
-    fn used(&mut self, found: Node<'a, 'a>, user: &Look<'a>, place: &Place<'a>) {
+    fn used(&mut self, found: Node<'a, 'a>, user: &Look<'a>, place: &ElementContext<'a>) {
         let is_view = matches!(found.tag_name().name(), "symbol" | "svg");
         if !is_view || place.depth > DEEPEST {
             return self.element(found, place);
@@ -296,7 +309,7 @@ impl<'a, 'g> Reading<'a, 'g> {
         }
     }
 
-    fn shape(&mut self, look: &Look<'a>, place: &Place<'a>) {
+    fn shape(&mut self, look: &Look<'a>, place: &ElementContext<'a>) {
         let (node, name) = (look.node, look.node.tag_name().name());
         let measure = &place.inherited.measure;
         let found = match spot(look, measure) {
@@ -332,7 +345,7 @@ impl<'a, 'g> Reading<'a, 'g> {
     }
 
     /// Tells of a shape that no viewer shows and that is cut all the same: drawings for machines are often so.
-    fn tell_unpainted(&mut self, node: Node, place: &Place) {
+    fn tell_unpainted(&mut self, node: Node, place: &ElementContext) {
         if !place.inherited.filled && !place.inherited.stroked {
             let name = node.tag_name().name();
             let text = format!(
@@ -342,7 +355,7 @@ impl<'a, 'g> Reading<'a, 'g> {
         }
     }
 
-    fn add(&mut self, node: Node, path: Polyarc, place: &Place<'a>) {
+    fn add(&mut self, node: Node, path: Polyarc, place: &ElementContext<'a>) {
         if let Err(error) = path.check() {
             return self.warn("place", node, format!("{error}: left out"));
         }
@@ -352,7 +365,7 @@ impl<'a, 'g> Reading<'a, 'g> {
         }
     }
 
-    fn keep(&mut self, shape: Shape, place: &Place<'a>) {
+    fn keep(&mut self, shape: Shape, place: &ElementContext<'a>) {
         let layer = place.layer.unwrap_or("0");
         self.layers.add(layer.as_bytes(), self.shapes.len(), || layer.to_owned());
         if place.user.is_some() {

@@ -2,7 +2,7 @@
 
 use super::state::Modal;
 use crate::syntax::tree::{Program, Span};
-use kerf_diag::Place;
+use kerf_diag::SourcePlace;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -108,7 +108,7 @@ impl Calls {
     }
 
     /// The lines that called the innermost subroutine, innermost first.
-    pub(super) fn callers(&self) -> Vec<Place> {
+    pub(super) fn callers(&self) -> Vec<SourcePlace> {
         let outer = self.open.iter().rev().skip(1).take(MOST_CALLERS);
         let place = |c: &Call| {
             let program = self.programs.get(c.file as usize)?;

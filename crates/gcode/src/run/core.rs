@@ -6,7 +6,7 @@ use super::coordinates::Coordinates;
 use super::curve::Nurbs;
 use super::hole::Cycle;
 use super::parameters::{Parameters, Scheme};
-use super::place::Place;
+use super::place::PathPosition;
 use super::progress::Progress;
 use super::session::{Options, Session};
 use super::state::{Modal, State};
@@ -26,7 +26,7 @@ pub(super) struct Core {
     /// Modes, offsets, parameters and tools.
     pub(super) state: State,
     pub(super) coordinates: Coordinates,
-    pub(super) place: Place,
+    pub(super) place: PathPosition,
     pub(super) calls: Calls,
     pub(super) progress: Progress,
     pub(super) sequels: Sequels,
@@ -68,7 +68,7 @@ impl Core {
             frame: session.frame,
             state: session.state,
             coordinates: Coordinates::default(),
-            place: Place::at(session.position),
+            place: PathPosition::at(session.position),
             calls: Calls::new(program),
             progress,
             sequels: Sequels::default(),
@@ -144,7 +144,7 @@ impl Core {
     /// Takes over the machine as another language left it.
     pub(super) fn adopt(&mut self, settings: &Arc<Settings>, frame: &Frame, position: Axes) {
         if self.place.tool() != position {
-            self.place = Place::at(position);
+            self.place = PathPosition::at(position);
         }
         self.settings = settings.clone();
         self.frame = *frame;

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 /// The place on the programmed path, and that of the tool beside it.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(super) struct Place {
+pub(super) struct PathPosition {
     /// Place to which the program has sent the machine, machine frame; with compensation the place on
     /// the programmed path.
     pub(super) programmed: Axes,
@@ -17,7 +17,7 @@ pub(super) struct Place {
     pub(super) compensator: Option<Compensator>,
 }
 
-impl Place {
+impl PathPosition {
     pub(super) const fn at(position: Axes) -> Self {
         Self { programmed: position, beside: None, compensator: None }
     }

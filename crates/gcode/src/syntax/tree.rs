@@ -8,7 +8,7 @@ use super::expr::Expr;
 use super::lines::Lines;
 use super::moves;
 use super::text::next_line;
-use kerf_diag::{Diagnostic, Place};
+use kerf_diag::{Diagnostic, SourcePlace};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -265,8 +265,8 @@ impl Program {
     }
 
     /// The place of a stretch of a line.
-    pub fn place(&self, line: u32, span: Span) -> Place {
-        Place::of_bytes(self.name.clone(), line, self.line_text(line), span.start..span.end)
+    pub fn place(&self, line: u32, span: Span) -> SourcePlace {
+        SourcePlace::of_bytes(self.name.clone(), line, self.line_text(line), span.start..span.end)
     }
 
     /// Returns `true` if a line (from 1) lies between the first and the last of a subroutine.

@@ -1,9 +1,9 @@
 //! Breaking a shape at a place, and taking out what lies between crossings.
 
-use crate::{Crossing, GeomError, Place, Point2, Polyarc, tol};
+use crate::{Crossing, GeomError, Point2, Polyarc, PolyarcPlace, tol};
 
 /// A shape broken at a place of it: a closed one becomes open there, an open one becomes two.
-pub fn broken(path: &Polyarc, at: &Place) -> Vec<Polyarc> {
+pub fn broken(path: &Polyarc, at: &PolyarcPlace) -> Vec<Polyarc> {
     if path.closed {
         return vec![path.between(at, at)];
     }
@@ -32,7 +32,7 @@ pub fn trimmed(
     let none = || GeomError::Impossible { what: "no intersection to trim to", at: picked };
     let (place, _) = path.nearest(picked).ok_or_else(none)?;
     let cuts = cuts(path, cutters);
-    let key = |p: &Place| (p.segment, p.share);
+    let key = |p: &PolyarcPlace| (p.segment, p.share);
     let next = cuts.iter().find(|c| key(c) > key(&place));
     let before = cuts.iter().rev().find(|c| key(c) <= key(&place));
     if path.closed {
@@ -46,7 +46,11 @@ pub fn trimmed(
     open_rest(path, before, next).ok_or_else(none)
 }
 
-fn open_rest(path: &Polyarc, before: Option<&Place>, next: Option<&Place>) -> Option<Vec<Polyarc>> {
+fn open_rest(
+    path: &Polyarc,
+    before: Option<&PolyarcPlace>,
+    next: Option<&PolyarcPlace>,
+) -> Option<Vec<Polyarc>> {
     let head = before.map(|at| broken(path, at).swap_remove(0));
     let tail = next.and_then(|at| broken(path, at).pop());
     match (before, next, head, tail) {
@@ -63,7 +67,7 @@ fn open_rest(path: &Polyarc, before: Option<&Place>, next: Option<&Place>) -> Op
 }
 
 /// Finds the places where the cutters cross the path, in the order of travel.
-fn cuts(path: &Polyarc, cutters: &[Polyarc]) -> Vec<Place> {
+fn cuts(path: &Polyarc, cutters: &[Polyarc]) -> Vec<PolyarcPlace> {
     let mut cuts = Vec::new();
     for cutter in cutters {
         if cutter == path {

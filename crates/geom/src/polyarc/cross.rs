@@ -1,16 +1,16 @@
 //! Crossings of polyarcs with each other and with themselves.
 
 use super::Polyarc;
-use super::place::Place;
+use super::place::PolyarcPlace;
 use crate::{Bounds2, BoxTree, Segment, tol};
 
 /// A place that two polyarcs, or two parts of one, share.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// The place on the first.
-    pub first: Place,
+    pub first: PolyarcPlace,
     /// The place on the second.
-    pub second: Place,
+    pub second: PolyarcPlace,
     /// The two run along each other here; this is an end of the stretch they share.
     pub along: bool,
 }
@@ -51,13 +51,13 @@ pub(super) fn crosses_itself(path: &Polyarc) -> Option<Crossing> {
 
 /// Tells whether a crossing is only the joint between a segment and the next.
 fn is_joint(path: &Polyarc, c: &Crossing, count: usize) -> bool {
-    let near = |place: &Place, segment: usize, end: bool| {
+    let near = |place: &PolyarcPlace, segment: usize, end: bool| {
         place.segment == segment && {
             let s = path.segment(segment);
             place.at.distance(if end { s.end() } else { s.start() }) <= tol::SAME_PLACE_MM
         }
     };
-    let follows = |a: &Place, b: &Place| {
+    let follows = |a: &PolyarcPlace, b: &PolyarcPlace| {
         let next = if path.closed { (a.segment + 1) % count } else { a.segment + 1 };
         next == b.segment && near(a, a.segment, true) && near(b, b.segment, false)
     };
@@ -81,8 +81,8 @@ impl Listed {
 fn add_contacts(first: &[Segment], a: usize, second: &[Segment], b: usize, to: &mut Vec<Crossing>) {
     let contacts = first[a].meet(&second[b]);
     to.extend(contacts.iter().map(|c| Crossing {
-        first: Place { segment: a, share: c.on_first, at: c.at },
-        second: Place { segment: b, share: c.on_second, at: c.at },
+        first: PolyarcPlace { segment: a, share: c.on_first, at: c.at },
+        second: PolyarcPlace { segment: b, share: c.on_second, at: c.at },
         along: contacts.along,
     }));
 }
@@ -94,7 +94,7 @@ fn in_order(mut found: Vec<Crossing>, counts: (usize, usize)) -> Vec<Crossing> {
         let (a, b) = (key(a), key(b));
         (a.0.cmp(&b.0)).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)).then(a.3.total_cmp(&b.3))
     });
-    let near = |a: &Place, b: &Place, count: usize| {
+    let near = |a: &PolyarcPlace, b: &PolyarcPlace, count: usize| {
         let apart = a.segment.abs_diff(b.segment);
         a.at.distance(b.at) <= tol::SAME_PLACE_MM && (apart <= 1 || apart + 1 == count)
     };

@@ -2,7 +2,7 @@
 
 use super::Polyarc;
 use super::cross::{self, Crossing};
-use super::place::Place;
+use super::place::PolyarcPlace;
 use super::winding::winding_of;
 use crate::segment::{square, twice_cap_area};
 use crate::{Bounds2, BoxTree, GeomError, Point2, Segment, Vec2, tol};
@@ -80,17 +80,17 @@ impl Polyarc {
 
     /// The place of the path nearest to another place, and how far it is; nothing for an empty one.
     /// Many questions to one polyarc are answered faster by [`crate::Indexed`].
-    pub fn nearest(&self, place: Point2) -> Option<(Place, f64)> {
+    pub fn nearest(&self, place: Point2) -> Option<(PolyarcPlace, f64)> {
         if let [only] = self.vertices.as_slice() {
-            let found = Place { segment: 0, share: 0.0, at: only.at };
+            let found = PolyarcPlace { segment: 0, share: 0.0, at: only.at };
             return Some((found, only.at.distance(place)));
         }
-        let mut best: Option<(Place, f64)> = None;
+        let mut best: Option<(PolyarcPlace, f64)> = None;
         for (number, segment) in self.segments().enumerate() {
             let distance = segment.distance(place);
             if best.is_none_or(|(_, least)| distance < least) {
                 let foot = segment.nearest(place);
-                let found = Place { segment: number, share: foot.share, at: foot.at };
+                let found = PolyarcPlace { segment: number, share: foot.share, at: foot.at };
                 best = Some((found, distance));
             }
         }
@@ -98,31 +98,31 @@ impl Polyarc {
     }
 
     /// The place after a length of path; before the start it is the start, past the end the end.
-    pub fn place_after(&self, length: f64) -> Option<Place> {
+    pub fn place_after(&self, length: f64) -> Option<PolyarcPlace> {
         let mut left = length.max(0.0);
         let mut last = None;
         for (segment, s) in self.segments().enumerate() {
             let long = s.length();
             let share = if long > 0.0 { (left / long).min(1.0) } else { 1.0 };
-            last = Some(Place { segment, share, at: s.at(share) });
+            last = Some(PolyarcPlace { segment, share, at: s.at(share) });
             if left <= long {
                 return last;
             }
             left -= long;
         }
-        let only = |at| Place { segment: 0, share: 0.0, at };
+        let only = |at| PolyarcPlace { segment: 0, share: 0.0, at };
         last.or_else(|| self.start().map(only))
     }
 
     /// Length of path from the start to a place.
-    pub fn length_to(&self, place: &Place) -> f64 {
+    pub fn length_to(&self, place: &PolyarcPlace) -> f64 {
         let before: f64 = self.segments().take(place.segment).map(|s| s.length()).sum();
         let within = self.segments().nth(place.segment).map_or(0.0, |s| s.length() * place.share);
         before + within
     }
 
     /// Unit direction of travel at a place.
-    pub fn direction(&self, place: &Place) -> Vec2 {
+    pub fn direction(&self, place: &PolyarcPlace) -> Vec2 {
         self.segments().nth(place.segment).map_or(Vec2::default(), |s| s.direction(place.share))
     }
 

@@ -8,7 +8,7 @@ mod winding;
 
 pub use cross::Crossing;
 pub use measure::Position;
-pub use place::Place;
+pub use place::PolyarcPlace;
 pub(crate) use winding::winding_of;
 
 use crate::{Point2, Segment, Vec2};

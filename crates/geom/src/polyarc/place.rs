@@ -4,7 +4,7 @@ use crate::Point2;
 
 /// A place on a polyarc.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Place {
+pub struct PolyarcPlace {
     /// Number of the segment.
     pub segment: usize,
     /// Share of the segment's path, 0 … 1.

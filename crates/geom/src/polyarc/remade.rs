@@ -1,6 +1,6 @@
 //! The same path otherwise: with another start or the other direction, tidied, merged, and parts of it.
 
-use super::place::Place;
+use super::place::PolyarcPlace;
 use super::{Polyarc, Vertex};
 use crate::segment::square;
 use crate::{Point2, Segment, Transform2, tol};
@@ -27,7 +27,7 @@ impl Polyarc {
     /// A closed polyarc that starts at a place of its path, which becomes a vertex if it is none. An
     /// open one is returned as it is.
     #[must_use]
-    pub fn started_at(&self, place: &Place) -> Self {
+    pub fn started_at(&self, place: &PolyarcPlace) -> Self {
         if !self.closed || place.segment >= self.segment_count() {
             return self.clone();
         }
@@ -38,7 +38,7 @@ impl Polyarc {
 
     /// The same path with a vertex at a place, and the number of that vertex.
     #[must_use]
-    pub fn with_vertex_at(&self, place: &Place) -> (Self, usize) {
+    pub fn with_vertex_at(&self, place: &PolyarcPlace) -> (Self, usize) {
         let mut result = self.clone();
         if place.segment >= self.segment_count() {
             return (result, 0);
@@ -60,7 +60,7 @@ impl Polyarc {
     /// The part of the path from one place to another, in the direction of travel. On a closed
     /// polyarc it may run past the start; equal places give the whole way round.
     #[must_use]
-    pub fn between(&self, from: &Place, to: &Place) -> Self {
+    pub fn between(&self, from: &PolyarcPlace, to: &PolyarcPlace) -> Self {
         let wraps = (to.segment, to.share) <= (from.segment, from.share);
         let count = self.segment_count();
         if count == 0 || (wraps && !self.closed) {

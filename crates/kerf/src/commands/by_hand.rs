@@ -22,7 +22,7 @@ use std::sync::Arc;
 #[derive(Args)]
 pub struct MoveArgs {
     #[command(subcommand)]
-    way: Way,
+    way: MoveAction,
     /// Takes as long as the machine does
     #[arg(long, global = true)]
     real: bool,
@@ -39,7 +39,7 @@ pub struct ServerArgs {
 }
 
 #[derive(Subcommand)]
-enum Way {
+enum MoveAction {
     /// To home on some axes, Z first
     Home {
         /// Their letters, as xy; all when not given
@@ -87,7 +87,7 @@ enum Way {
     },
 }
 
-impl Way {
+impl MoveAction {
     /// The same for a server.
     fn by_hand(&self) -> Result<ByHand> {
         Ok(match self {
@@ -169,16 +169,16 @@ pub fn moves(which: &Which, args: &MoveArgs) -> Result<Exit> {
     let mut shop = Shop::open(which, args.real)?;
     let mut requests = Vec::new();
     let errand = match &args.way {
-        Way::Home { axes } => {
+        MoveAction::Home { axes } => {
             let all = shop.machine.motors.axes();
             Errand::Home(axes_named(&shop.machine, axes.as_deref(), all)?)
         }
-        Way::Origin => Errand::Origin,
-        Way::Finish => Errand::Finish,
-        Way::To { place, relative, flat } => {
+        MoveAction::Origin => Errand::Origin,
+        MoveAction::Finish => Errand::Finish,
+        MoveAction::To { place, relative, flat } => {
             Errand::To { place: numbers(place)?, relative: *relative, flat: *flat }
         }
-        Way::CutTo { place, cut } => {
+        MoveAction::CutTo { place, cut } => {
             let at = pair(place)?;
             if *cut {
                 let job = cut_move(&shop.machine, shop.session.memory.position, at);
@@ -187,7 +187,7 @@ pub fn moves(which: &Which, args: &MoveArgs) -> Result<Exit> {
             }
             Errand::CutMoveTo(at)
         }
-        Way::Hold { way, speed, accel, seconds } => {
+        MoveAction::Hold { way, speed, accel, seconds } => {
             requests.extend(seconds.map(|seconds| (seconds, OperatorRequest::End)));
             let [speed, accel] = [*speed, *accel].map(|percent| f64::from(percent) / 100.0);
             Errand::Held(Held { way: ways(&shop.machine, way)?, speed, accel, sets_bottom: false })

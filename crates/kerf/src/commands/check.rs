@@ -9,7 +9,7 @@ use crate::sources::FileLines;
 use crate::{checked, given, out, setup};
 use anyhow::Result;
 use clap::Args;
-use kerf_diag::{Code, Diagnostic, Place, Severity, render_text};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace, render_text};
 use kerf_trace::{Event, Summary, json};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -58,7 +58,7 @@ pub fn run(args: &CheckArgs) -> Result<Exit> {
 fn unreadable(file: &Path) -> Checked {
     let why = given::bytes(file).err();
     let why = why.map_or_else(|| "cannot be read".into(), |why| why.to_string());
-    let place = Place::line(file.display().to_string().into(), 1);
+    let place = SourcePlace::line(file.display().to_string().into(), 1);
     let missing = Diagnostic::new(Code::FileNotFound, place, why);
     Checked { diagnostics: vec![missing], summary: None }
 }
@@ -70,7 +70,7 @@ fn check(file: &Path, args: &RunArgs) -> Result<Option<Checked>> {
         Err(error) if error.is::<Usage>() && given::bytes(file).is_err() => return Ok(None),
         Err(error) => {
             let DamagedFile(_, why) = error.downcast::<DamagedFile>()?;
-            let place = Place::line(file.display().to_string().into(), 1);
+            let place = SourcePlace::line(file.display().to_string().into(), 1);
             let damaged = Diagnostic::new(Code::FileError, place, why.to_string());
             return Ok(Some(Checked { diagnostics: vec![damaged], summary: None }));
         }

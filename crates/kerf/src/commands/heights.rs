@@ -71,19 +71,19 @@ struct Readings {
     /// Length of the cuts so far, mm.
     cut_mm: f64,
     /// The cut at hand: its move, and when height control began in it.
-    made: Option<Place>,
+    made: Option<SampledCut>,
     began_s: Option<f64>,
 }
 
 /// A cut that was made: where its path lies, a place a millisecond.
-struct Place {
+struct SampledCut {
     from_s: f64,
     step_s: f64,
     /// X, Y and the way along the path.
     places: Vec<[f64; 3]>,
 }
 
-impl Place {
+impl SampledCut {
     fn of(made: &ExecutedMove<'_>, before_mm: f64) -> Self {
         let (span, t0_s) = (made.span, made.t0_s);
         let looks = ((span.t1_s - span.t0_s) / 0.001).ceil().max(1.0) as usize;
@@ -124,7 +124,7 @@ impl Sink for Readings {
     fn made(&mut self, made: &ExecutedMove<'_>) {
         let flat = made.span.made.from[Axis::Z] == made.span.made.to[Axis::Z];
         if made.span.made.kind == MoveKind::Cut && flat {
-            self.made = Some(Place::of(made, self.cut_mm));
+            self.made = Some(SampledCut::of(made, self.cut_mm));
             self.cut_mm += made.span.made.length_mm;
         } else {
             self.made = None;

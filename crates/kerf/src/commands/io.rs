@@ -62,7 +62,7 @@ enum Action {
         motor: String,
         /// + or -
         #[arg(value_enum, allow_hyphen_values = true)]
-        way: Way,
+        way: IoAction,
         #[command(flatten)]
         there: ServerArgs,
     },
@@ -84,7 +84,7 @@ enum Action {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Way {
+enum IoAction {
     #[value(name = "+")]
     Forward,
     #[value(name = "-")]
@@ -104,7 +104,7 @@ pub fn run(args: &IoArgs) -> Result<Exit> {
             return set(args, name, *value == 1, vcd, *there);
         }
         Action::Step { motor, way, there } => {
-            return step(args, motor, *way == Way::Forward, *there);
+            return step(args, motor, *way == IoAction::Forward, *there);
         }
         Action::Watch { seconds } => states::watch(states(args)?, *seconds)?,
         Action::Map { card, notes } => map(card, *notes)?,

@@ -1,6 +1,6 @@
 //! The end of a run of a server, and what is wrong with a file, as the server tells it.
 
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace};
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Status;
 use kerf_trace::{Summary, Tally};
@@ -71,10 +71,10 @@ fn diagnostic(found: &Value) -> Option<Diagnostic> {
     let code: Code = serde_json::from_value(found["code"].clone()).ok()?;
     let text = |key: &str| found[key].as_str().unwrap_or_default();
     let number = |key: &str| found[key].as_u64().unwrap_or_default() as u32;
-    let place = Place {
+    let place = SourcePlace {
         column: number("column"),
         length: number("length"),
-        ..Place::line(text("file").into(), number("line"))
+        ..SourcePlace::line(text("file").into(), number("line"))
     };
     let severity = match text("level") {
         "note" => Severity::Note,

@@ -35,7 +35,8 @@ fn drive(way: &[Leg], x: f64, y: f64) -> JobRun {
 /// What was moved, from the job origin: `to 10,10`, `cw 90 about 5,0 to 0,0`.
 fn ways(trace: &JobTrace) -> Vec<String> {
     let r = |v: f64| (v * 1e6).round() / 1e6 + 0.0;
-    let end = |to: &kerf_trace::event::Place| format!("to {},{}", r(to.x - 300.0), r(to.y - 200.0));
+    let end =
+        |to: &kerf_trace::event::Location| format!("to {},{}", r(to.x - 300.0), r(to.y - 200.0));
     let told = |event: &Event| match event {
         Event::Move(made) => Some(end(&made.to)),
         Event::Arc(arc) => {

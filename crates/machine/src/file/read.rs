@@ -4,7 +4,7 @@ use super::entries::{Entry, entries};
 use crate::contradictions::{Contradiction, contradictions};
 use crate::settings::Configuration;
 use crate::table::{self, Setting};
-use kerf_diag::{Code, Diagnostic, Place, Severity, did_you_mean};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace, did_you_mean};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -126,7 +126,7 @@ fn tell(source: &Source<'_>, entries: &[Entry], it: Contradiction) -> Diagnostic
     let named = it.keys.iter().find_map(|key| entries.iter().find(|entry| entry.key == *key));
     let place = match named {
         Some(entry) => source.place(&entry.key_span),
-        None => Place::line(source.file.clone(), 1),
+        None => SourcePlace::line(source.file.clone(), 1),
     };
     Diagnostic::new(Code::Contradiction, place, it.message).hint(it.hint)
 }
@@ -138,12 +138,12 @@ struct Source<'a> {
 
 impl Source<'_> {
     /// A stretch of bytes as line and column; of several lines the first.
-    fn place(&self, span: &Range<usize>) -> Place {
+    fn place(&self, span: &Range<usize>) -> SourcePlace {
         let before = self.text.get(..span.start).unwrap_or(self.text);
         let line_start = before.rfind('\n').map_or(0, |i| i + 1);
         let stretch = self.text.get(span.clone()).unwrap_or_default();
         let first_line = stretch.lines().next().unwrap_or_default();
-        Place {
+        SourcePlace {
             file: self.file.clone(),
             line: before.matches('\n').count() as u32 + 1,
             column: before[line_start..].chars().count() as u32 + 1,

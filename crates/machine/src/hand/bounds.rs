@@ -3,7 +3,7 @@
 use super::Hand;
 use super::errand::{Errand, FAR, Stretch};
 use crate::homing::{bounds_by_hand, soft_bounds, table_bounds, words_of_end};
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_geom::{Arc2, Point2};
 use kerf_program::settings::Mode;
 use kerf_program::{AXES, Axes, Axis, rounded};
@@ -167,7 +167,7 @@ impl Hand {
     /// Refuses a move that leads out of bounds, with the reason.
     pub(super) fn refusal(&self) -> Option<Box<Diagnostic>> {
         if matches!(self.errand, Errand::Keypad(_)) && self.settings.mode == Mode::Preview {
-            let place = Place::line(self.errand.name().into(), 0);
+            let place = SourcePlace::line(self.errand.name().into(), 0);
             let why =
                 Diagnostic::new(Code::NotSupported, place, "the keypad moves nothing in preview");
             return Some(Box::new(why.hint("SM sets Move/Cut mode")));
@@ -187,7 +187,7 @@ impl Hand {
         let name = self.machine.motors.axis_name(outside);
         let message = format!("Out of bounds: {name} would reach {reached:.3}");
         let hint = format!("{name} goes from {low:.3} to {high:.3}");
-        let place = Place::line(self.errand.name().into(), 0);
+        let place = SourcePlace::line(self.errand.name().into(), 0);
         Some(Box::new(Diagnostic::new(Code::OutsideLimits, place, message).hint(hint)))
     }
 

@@ -4,7 +4,7 @@ use super::Hand;
 use super::bounds::Leg;
 use crate::pause_order::PauseOrder;
 use crate::state::{Effect, Event, RELEASE_S, State};
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_program::{
     Answer, Axis, Command, Halted, Host, Question, QuestionKind, Sourced, Status, Step,
 };
@@ -85,7 +85,7 @@ impl Hand {
     }
 
     pub(super) fn stopped_for(&self, code: Code) -> Box<Diagnostic> {
-        let place = Place::line(self.errand.name().into(), 0);
+        let place = SourcePlace::line(self.errand.name().into(), 0);
         Box::new(Diagnostic::new(code, place, self.why.to_string()))
     }
 

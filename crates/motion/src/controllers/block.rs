@@ -4,13 +4,13 @@ use crate::moves::Move;
 use kerf_program::{AXES, Axes, MoveKind};
 
 /// A direction over all axes; of length 1 in XYZ, or over the rotary axes where nothing else moves.
-pub(super) type Way = [f64; AXES];
+pub(super) type Direction = [f64; AXES];
 
 /// Shorter differences are rounding, mm or degrees.
 const NOTHING_MM: f64 = 1e-9;
 
 /// The direction and length of a straight way; `None` where nothing moves.
-pub(super) fn way(from: Axes, to: Axes) -> Option<(Way, f64)> {
+pub(super) fn way(from: Axes, to: Axes) -> Option<(Direction, f64)> {
     let delta = to.minus(from).0;
     let norm = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
     let space = norm(&delta[..3]);
@@ -36,7 +36,7 @@ pub(super) fn feed_mm_s(m: &Move) -> f64 {
 }
 
 /// The speed or acceleration in a direction at which no axis exceeds its own.
-pub(super) fn within_axes(own: &Axes, way: &Way) -> f64 {
+pub(super) fn within_axes(own: &Axes, way: &Direction) -> f64 {
     let limits = own.0.iter().zip(way).filter(|(_, share)| share.abs() > 1e-12);
     limits.map(|(own, share)| own / share.abs()).fold(f64::INFINITY, f64::min)
 }

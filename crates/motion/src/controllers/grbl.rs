@@ -13,7 +13,7 @@
 //! the last; the trapezoid that follows.
 
 use super::Controller;
-use super::block::{Way, feed_mm_s, trapezoid_s, way, within_axes};
+use super::block::{Direction, feed_mm_s, trapezoid_s, way, within_axes};
 use super::link::{Line, Link};
 use crate::moves::{Move, Path};
 use kerf_geom::Arc2;
@@ -85,7 +85,7 @@ impl Controller for Grbl {
 impl Grbl {
     fn blocks_of(&self, run: &[Move]) -> Vec<Block> {
         let mut blocks: Vec<Block> = Vec::with_capacity(run.len());
-        let mut before: Option<Way> = None;
+        let mut before: Option<Direction> = None;
         let mut words = Words::default();
         for (owner, m) in run.iter().enumerate() {
             let feed = feed_mm_s(m);
@@ -108,7 +108,7 @@ impl Grbl {
     }
 
     /// The square of the speed at which a corner may be passed.
-    fn corner_sqr(&self, a: &Way, b: &Way) -> f64 {
+    fn corner_sqr(&self, a: &Direction, b: &Direction) -> f64 {
         let cos = -a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         if cos > 0.999_999 {
             return 0.0;
@@ -116,7 +116,7 @@ impl Grbl {
         if cos < -0.999_999 {
             return f64::INFINITY;
         }
-        let change: Way = std::array::from_fn(|k| b[k] - a[k]);
+        let change: Direction = std::array::from_fn(|k| b[k] - a[k]);
         let size = change.iter().map(|v| v * v).sum::<f64>().sqrt();
         let accel = within_axes(&self.accel_mm_s2, &change.map(|v| v / size));
         let sine = (0.5 * (1.0 - cos)).sqrt();

@@ -22,7 +22,7 @@
 //! 2.9 at P 0.01.
 
 use super::Controller;
-use super::block::{Way, feed_mm_s, path_mm, trapezoid_s, within_axes};
+use super::block::{Direction, feed_mm_s, path_mm, trapezoid_s, within_axes};
 use super::naive_cam::merged;
 use crate::moves::{Move, Path};
 use kerf_program::Axes;
@@ -71,8 +71,8 @@ struct Leg {
     mm: f64,
     top_mm_s: f64,
     accel: f64,
-    start: Option<Way>,
-    end: Option<Way>,
+    start: Option<Direction>,
+    end: Option<Direction>,
 }
 
 /// A piece of the trajectory with the move it is counted to.
@@ -150,7 +150,7 @@ impl LinuxCnc {
         }
         let along = way(0.0);
         // Only what moves in XYZ has a direction that can be rounded.
-        let space = |way: Way| (norm(&way) > 0.5).then_some(way);
+        let space = |way: Direction| (norm(&way) > 0.5).then_some(way);
         let accel = if curved {
             // Three directions tell the plane of an arc.
             self.least_accel(&[along, way(0.3), way(0.6)])
@@ -173,7 +173,7 @@ impl LinuxCnc {
     }
 
     /// Returns the acceleration that each of X, Y and Z has which moves in one of these directions.
-    fn least_accel(&self, ways: &[Way]) -> f64 {
+    fn least_accel(&self, ways: &[Direction]) -> f64 {
         let moves = |axis: &usize| ways.iter().any(|way| way[*axis].abs() > STILL);
         let accels = self.accel_mm_s2.first3();
         (0..3).filter(moves).map(|axis| accels[axis]).fold(f64::INFINITY, f64::min)
@@ -242,7 +242,7 @@ fn overlap_mm(part_mm: f64, speed_mm_s: f64, accel: f64) -> f64 {
     reached.min(speed_mm_s) / ramp * speed_mm_s
 }
 
-fn norm(way: &Way) -> f64 {
+fn norm(way: &Direction) -> f64 {
     way[..3].iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 

@@ -9,7 +9,7 @@
 //! Every way down ends where the path begins. A ramp cuts nothing that the path does not cut, so it fits
 //! wherever the path does; a helix needs room.
 
-use kerf_geom::{Place, Polyarc, Segment, Vertex};
+use kerf_geom::{Polyarc, PolyarcPlace, Segment, Vertex};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use std::fmt;
@@ -121,7 +121,7 @@ fn ramp(path: &Polyarc, length: f64) -> Vec<Segment> {
     }
     let trips = (0.5 * length / once).ceil().clamp(1.0, MOST_ROUNDS);
     let reach = (0.5 * length / trips).min(once);
-    let start = path.start().map(|at| Place { segment: 0, share: 0.0, at });
+    let start = path.start().map(|at| PolyarcPlace { segment: 0, share: 0.0, at });
     let there = match (start, path.place_after(reach)) {
         (Some(start), Some(end)) => path.between(&start, &end),
         _ => path.clone(),

@@ -2,7 +2,7 @@
 
 use super::{Core, cutting};
 use crate::tree::{Program, Span};
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace};
 use kerf_program::Status;
 use kerf_program::{
     Answer, At, Axis, AxisSet, Command, Host, HostError, Question, Settings, Sourced,
@@ -141,7 +141,7 @@ impl Context<'_> {
     }
 
     /// The lines that called the innermost file, innermost first.
-    pub(crate) fn callers(&self) -> Vec<Place> {
+    pub(crate) fn callers(&self) -> Vec<SourcePlace> {
         self.core.flow.callers(&self.core.files)
     }
 

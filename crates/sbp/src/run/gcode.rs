@@ -10,7 +10,7 @@
 use super::state::Level;
 use super::{Context, Core, Interpreter, lifecycle, programs};
 use crate::tree::Span;
-use kerf_diag::Place;
+use kerf_diag::SourcePlace;
 use kerf_program::{At, Axes, Axis, Frame, GoTo, Host, Sourced, Step, ToolTable};
 use std::sync::Arc;
 
@@ -191,7 +191,7 @@ impl Interpreter {
     }
 
     /// The lines that led to the innermost file, innermost first.
-    pub fn callers(&self) -> Vec<Place> {
+    pub fn callers(&self) -> Vec<SourcePlace> {
         self.core.flow.callers(&self.core.files)
     }
 

@@ -9,7 +9,7 @@ use super::registry::PART_FILE;
 use super::state::{Level, Purpose};
 use super::{Context, FileParameters, Stop, cutting, preview, tool_changes};
 use crate::{Language, Program};
-use kerf_diag::{Code, Place};
+use kerf_diag::{Code, SourcePlace};
 use kerf_program::settings::PlungeSign;
 use kerf_program::{Axis, Command, FileRequest, Folder, HostError, MoveKind, SourceFile};
 use std::sync::Arc;
@@ -81,7 +81,7 @@ fn read_cached(c: &mut Context<'_>, source: &SourceFile) -> Result<Arc<Program>,
 }
 
 /// The present line and those that led to it: the callers of a file that is about to be opened.
-fn callers_of_called(c: &Context<'_>) -> Vec<Place> {
+fn callers_of_called(c: &Context<'_>) -> Vec<SourcePlace> {
     let mut callers = c.callers();
     callers.insert(0, c.program.place(c.at.line, c.span));
     callers

@@ -5,7 +5,7 @@
 
 use crate::syntax::table::CommandSpec;
 use crate::syntax::{Dialect, Expr, Expressions, PathId};
-use kerf_diag::{Diagnostic, Place};
+use kerf_diag::{Diagnostic, SourcePlace};
 use serde::{Deserialize, Serialize};
 use std::ops::Index;
 use std::sync::Arc;
@@ -508,7 +508,7 @@ impl Program {
     }
 
     /// The place of a span of a line, in characters.
-    pub fn place(&self, line: u32, span: Span) -> Place {
+    pub fn place(&self, line: u32, span: Span) -> SourcePlace {
         let text = self.line_text(line);
         let bytes = match span {
             Span::LINE => {
@@ -516,7 +516,7 @@ impl Program {
             }
             span => span.start..span.end,
         };
-        Place::of_bytes(self.name.clone(), line, text, bytes)
+        SourcePlace::of_bytes(self.name.clone(), line, text, bytes)
     }
 
     /// True when something is wrong with the file.

@@ -114,7 +114,7 @@ impl Visitor {
 
 /// A place at the door, given back when it is dropped.
 #[derive(Clone, Debug)]
-pub struct Place(Arc<Held>);
+pub struct DoorSlot(Arc<Held>);
 
 #[derive(Debug)]
 struct Held {
@@ -122,7 +122,7 @@ struct Held {
     visitor: Arc<Visitor>,
 }
 
-impl Place {
+impl DoorSlot {
     /// Notes whose the connection is. Returns `true` if there is room for one more of that device.
     pub fn is_of(&self, device: u32) -> bool {
         self.0.door.know(&self.0.visitor, device)
@@ -143,7 +143,7 @@ impl Door {
     }
 
     /// A connection comes in; nothing where there is no room for it.
-    fn enter(self: &Arc<Self>, address: IpAddr) -> Option<Place> {
+    fn enter(self: &Arc<Self>, address: IpAddr) -> Option<DoorSlot> {
         let mut places = lock(&self.places);
         let sort = Sort::of(address, &places.acquainted);
         let most = if sort == Sort::Here { HERE } else { AN_ADDRESS };
@@ -157,7 +157,7 @@ impl Door {
         let visitor = Arc::new(Visitor::stranger(address));
         places.strangers.push_back(visitor.clone());
         drop(places);
-        Some(Place(Arc::new(Held { door: self.clone(), visitor })))
+        Some(DoorSlot(Arc::new(Held { door: self.clone(), visitor })))
     }
 
     fn know(&self, visitor: &Arc<Visitor>, device: u32) -> bool {
@@ -248,7 +248,7 @@ pub async fn serve(listener: TcpListener, router: Router) {
 }
 
 /// Answers what comes over a connection, until it ends or has to make room.
-async fn converse(stream: TcpStream, peer: Peer, place: Place, router: Router) {
+async fn converse(stream: TcpStream, peer: Peer, place: DoorSlot, router: Router) {
     let (routes, visitor) = (TowerToHyperService::new(router), place.0.visitor.clone());
     let serve = service_fn(move |mut request: hyper::Request<Incoming>| {
         request.extensions_mut().insert(ConnectInfo(peer));
@@ -287,7 +287,7 @@ mod tests {
     #[test]
     fn strangers_of_one_address_make_room_for_each_other() {
         let door = Door::of(1024);
-        let places: Vec<Place> = (0..100).map(|_| door.enter(from(1)).unwrap()).collect();
+        let places: Vec<DoorSlot> = (0..100).map(|_| door.enter(from(1)).unwrap()).collect();
         assert_eq!(strangers(&door), AN_ADDRESS);
         assert!(door.enter(from(2)).is_some(), "another address has its own");
         drop(places);
@@ -297,7 +297,7 @@ mod tests {
     #[test]
     fn strangers_of_all_addresses_are_bounded_and_the_newest_comes_in() {
         let door = Door::of(1024);
-        let places: Vec<Place> = (0..100).map(|n| door.enter(from(n)).unwrap()).collect();
+        let places: Vec<DoorSlot> = (0..100).map(|n| door.enter(from(n)).unwrap()).collect();
         assert_eq!(strangers(&door), STRANGERS);
         let newest = places.last().unwrap();
         assert!(newest.is_of(3), "a device that is known takes no place of strangers");
@@ -307,7 +307,7 @@ mod tests {
     #[test]
     fn who_is_being_served_is_not_shown_out() {
         let door = Door::of(1024);
-        let places: Vec<Place> = (0..AN_ADDRESS).map(|_| door.enter(from(1)).unwrap()).collect();
+        let places: Vec<DoorSlot> = (0..AN_ADDRESS).map(|_| door.enter(from(1)).unwrap()).collect();
         serve(&places, Duration::ZERO);
         assert!(door.enter(from(1)).is_none());
         // But for one whose request does not come to its end.
@@ -316,7 +316,7 @@ mod tests {
     }
 
     /// Requests of theirs are being answered for so long.
-    fn serve(places: &[Place], since: Duration) {
+    fn serve(places: &[DoorSlot], since: Duration) {
         let began = Instant::now().checked_sub(since);
         places.iter().for_each(|place| *lock(&place.0.visitor.served) = began);
     }
@@ -326,12 +326,13 @@ mod tests {
         let door = Door::of(1024);
         let device = door.enter(from(200)).unwrap();
         assert!(device.is_of(3));
-        let strangers: Vec<Place> = (0..100).filter_map(|n| door.enter(from(n))).collect();
+        let strangers: Vec<DoorSlot> = (0..100).filter_map(|n| door.enter(from(n))).collect();
         serve(&strangers, Duration::ZERO);
         assert!(door.enter(from(201)).is_none(), "strangers have used up theirs");
-        let here: Vec<Place> =
+        let here: Vec<DoorSlot> =
             (0..HERE).map(|_| door.enter([127, 0, 0, 1].into()).unwrap()).collect();
-        let again: Vec<Place> = (0..AN_ADDRESS).map(|_| door.enter(from(200)).unwrap()).collect();
+        let again: Vec<DoorSlot> =
+            (0..AN_ADDRESS).map(|_| door.enter(from(200)).unwrap()).collect();
         assert!(
             here.iter().all(|place| place.is_of(0)) && again.iter().all(|place| place.is_of(3))
         );
@@ -340,8 +341,9 @@ mod tests {
     #[test]
     fn devices_leave_descriptors_to_others() {
         let door = Door::of(OF_FILES + OF_OTHERS + 2 * A_DEVICE);
-        let places: Vec<Place> = (0..3 * A_DEVICE).map(|_| door.enter(from(1)).unwrap()).collect();
-        let of = |(n, place): (usize, &Place)| place.is_of(1 + (n / A_DEVICE) as u32);
+        let places: Vec<DoorSlot> =
+            (0..3 * A_DEVICE).map(|_| door.enter(from(1)).unwrap()).collect();
+        let of = |(n, place): (usize, &DoorSlot)| place.is_of(1 + (n / A_DEVICE) as u32);
         assert_eq!(places.iter().enumerate().map(of).filter(|known| *known).count(), 2 * A_DEVICE);
         assert!(door.enter([127, 0, 0, 1].into()).is_some_and(|place| place.is_of(0)));
     }
@@ -349,7 +351,8 @@ mod tests {
     #[test]
     fn a_device_has_so_many_connections_and_gets_them_back() {
         let door = Door::of(1024);
-        let mut places: Vec<Place> = (0..A_DEVICE).map(|_| door.enter(from(1)).unwrap()).collect();
+        let mut places: Vec<DoorSlot> =
+            (0..A_DEVICE).map(|_| door.enter(from(1)).unwrap()).collect();
         assert!(places.iter().all(|place| place.is_of(4)));
         let more = door.enter(from(1)).unwrap();
         assert!(!more.is_of(4));

@@ -3,7 +3,7 @@
 //! A page of a foreign site in the user's own browser must not reach the machine: its requests carry
 //! a foreign `Origin`, and where it points its own name at this address, a foreign `Host`.
 
-use super::door::Place;
+use super::door::DoorSlot;
 use crate::app::App;
 use crate::people::Here;
 use crate::pool::{HERE, RequestScope};
@@ -66,7 +66,7 @@ const STRANGERS_TIME: Duration = Duration::from_secs(5);
 pub async fn guard(
     State(app): State<Arc<App>>,
     ConnectInfo(peer): ConnectInfo<Peer>,
-    Extension(place): Extension<Place>,
+    Extension(place): Extension<DoorSlot>,
     request: Request,
     next: Next,
 ) -> Response {
@@ -82,7 +82,7 @@ pub async fn guard(
 pub async fn guard_of_stop(
     State((app, port)): State<(Arc<App>, u16)>,
     ConnectInfo(peer): ConnectInfo<Peer>,
-    Extension(place): Extension<Place>,
+    Extension(place): Extension<DoorSlot>,
     request: Request,
     next: Next,
 ) -> Response {
@@ -94,7 +94,7 @@ pub async fn guard_of_stop(
 async fn pass(
     app: &App,
     caller: Result<Caller, Refusal>,
-    place: &Place,
+    place: &DoorSlot,
     mut request: Request,
     next: Next,
 ) -> Response {

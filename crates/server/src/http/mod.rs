@@ -23,7 +23,7 @@ mod texts;
 
 pub use allowance::Allowance;
 pub use bodies::Bodies;
-pub use door::{Place, serve};
+pub use door::{DoorSlot, serve};
 pub use guard::{Caller, IN_ADDRESS, guard_of_stop};
 pub use routes::{describe, paths, router};
 

@@ -12,7 +12,7 @@
 //! read any further until that has changed.
 
 use super::allowance::Allowance;
-use super::door::Place;
+use super::door::DoorSlot;
 use super::guard::Caller;
 use super::rest::malformed;
 use crate::app::App;
@@ -52,7 +52,7 @@ const AT_ONCE: u32 = 200;
 pub async fn socket(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
-    Extension(place): Extension<Place>,
+    Extension(place): Extension<DoorSlot>,
     upgrade: WebSocketUpgrade,
 ) -> Response {
     let name = caller.device.as_ref().map_or(String::new(), |(_, name)| name.clone());

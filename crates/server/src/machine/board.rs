@@ -7,7 +7,7 @@ use super::typing::Typing;
 use crate::files::PartFolder;
 use crate::hub::Hub;
 use crate::to_wire;
-use kerf_diag::{Diagnostic, Place};
+use kerf_diag::{Diagnostic, SourcePlace};
 use kerf_machine::{Configuration, Going};
 use kerf_model::Model;
 use kerf_program::{At, Axes, MoveKind};
@@ -282,7 +282,7 @@ impl Board {
 
     /// A finding of the run, with its place for whoever goes to see it.
     pub fn finds(&mut self, found: &Diagnostic) {
-        let Place { file, line, .. } = &found.place;
+        let SourcePlace { file, line, .. } = &found.place;
         let place = (*line > 0).then(|| Call { file: self.parts.name_of(file), line: *line });
         let told = to_wire::message(found);
         let (text, hint) = (self.parts.named_in(&told.text), self.parts.named_in(&told.hint));

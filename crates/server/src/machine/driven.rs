@@ -8,7 +8,7 @@ use crate::to_wire;
 use kerf_control::AtRest;
 use kerf_control::answers::Answers;
 use kerf_control::controller::{AttachReport, Controller, WrittenSetting, working_reads};
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::driver::{ToldSetting, Zero, ZeroChange};
 use kerf_machine::{Driven, Errand};
@@ -220,12 +220,12 @@ impl Owner {
         let unit = self.workshop.session.memory.settings.linear_unit;
         if options.program.draws_only && !self.workshop.session.is_in_preview() {
             let why = "preview was left meanwhile, and the machine is not armed";
-            let error = Diagnostic::new(Code::NotEnabled, Place::line(work.name(), 0), why);
+            let error = Diagnostic::new(Code::NotEnabled, SourcePlace::line(work.name(), 0), why);
             return Some(Summary::not_begun(unit, Some(Box::new(error))));
         }
         if let Err(why) = self.reach() {
             let hint = "look at its cable, its power and its port";
-            let place = Place::line(work.name(), 0);
+            let place = SourcePlace::line(work.name(), 0);
             let error = Diagnostic::new(Code::NotConnected, place, why).hint(hint);
             return Some(Summary::not_begun(unit, Some(Box::new(error))));
         }
@@ -233,20 +233,22 @@ impl Owner {
         if let Some(job) = job {
             let why = format!("the controller runs {} from its own card", job.name);
             let hint = "wait for its end, or press STOP";
-            let error = Diagnostic::new(Code::Controller, Place::line(work.name(), 0), why);
+            let error = Diagnostic::new(Code::Controller, SourcePlace::line(work.name(), 0), why);
             return Some(Summary::not_begun(unit, Some(Box::new(error.hint(hint)))));
         }
         let homes = matches!(work, Work::Hand(Errand::FindHome(_), _));
         let Workshop { controller, session, .. } = &self.workshop;
         if let Some(locked) = controller.as_ref()?.locked().filter(|_| !homes) {
-            let error = Diagnostic::new(Code::Controller, Place::line(work.name(), 0), locked);
+            let error =
+                Diagnostic::new(Code::Controller, SourcePlace::line(work.name(), 0), locked);
             return Some(Summary::not_begun(unit, Some(Box::new(error))));
         }
         let mut workspace = match (self.previews)() {
             Ok(workspace) => workspace,
             Err(why) => {
                 let why = format!("what the controller lacks cannot be looked for: {why}");
-                let error = Diagnostic::new(Code::NotConnected, Place::line(work.name(), 0), why);
+                let error =
+                    Diagnostic::new(Code::NotConnected, SourcePlace::line(work.name(), 0), why);
                 return Some(Summary::not_begun(unit, Some(Box::new(error))));
             }
         };

@@ -3,7 +3,7 @@
 use super::halt::{Halt, Pressed, heard};
 use super::presses::Presses;
 use crate::app::App;
-use crate::http::{Allowance, Caller, Place, guard_of_stop, serve};
+use crate::http::{Allowance, Caller, DoorSlot, guard_of_stop, serve};
 use crate::hub::text;
 use crate::refusal::problem;
 use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
@@ -79,7 +79,7 @@ impl Door {
 
 /// State of its thread.
 #[derive(Clone)]
-struct Way {
+struct StopRoutes {
     app: Arc<App>,
     /// Does what may wait for others.
     front: Handle,
@@ -93,7 +93,7 @@ impl StopWay {
     pub fn begin(app: &Arc<App>, door: Door, front: Handle) -> io::Result<Self> {
         let Door { console, listener, .. } = door;
         let runtime = Builder::new_current_thread().enable_all().build()?;
-        let router = Way { app: app.clone(), front }.router(console);
+        let router = StopRoutes { app: app.clone(), front }.router(console);
         let (ends, ended) = oneshot::channel();
         let work = async move {
             let Ok(listener) = TcpListener::from_std(listener) else { return };
@@ -117,7 +117,7 @@ struct Opens {
     client: u32,
 }
 
-impl Way {
+impl StopRoutes {
     fn router(self, console: u16) -> Router {
         let guard = from_fn_with_state((self.app.clone(), console), guard_of_stop);
         Router::new()
@@ -139,7 +139,7 @@ impl Way {
 
 /// Carries out what scripts press.
 async fn act(
-    State(way): State<Way>,
+    State(way): State<StopRoutes>,
     Path(name): Path<String>,
     Query(Opens { client }): Query<Opens>,
 ) -> Response {
@@ -151,9 +151,9 @@ async fn act(
 
 /// Makes a request a socket.
 async fn socket(
-    State(way): State<Way>,
+    State(way): State<StopRoutes>,
     Extension(caller): Extension<Caller>,
-    Extension(place): Extension<Place>,
+    Extension(place): Extension<DoorSlot>,
     Query(Opens { client }): Query<Opens>,
     upgrade: WebSocketUpgrade,
 ) -> Response {
@@ -168,7 +168,7 @@ async fn socket(
 
 /// A page that may press.
 struct Page {
-    way: Way,
+    way: StopRoutes,
     client: u32,
     caller: Caller,
     presses: Presses,

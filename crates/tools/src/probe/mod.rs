@@ -11,7 +11,7 @@ mod finding;
 mod lines;
 
 use crate::field::{Field, UNITS, choice, file, length};
-use crate::{Entries, Mistake, OutputFile, Place, Tool, ToolOutput};
+use crate::{Entries, FileFolder, Mistake, OutputFile, Tool, ToolOutput};
 
 /// Things that are found, as the form names them.
 const KINDS: &[&str] =
@@ -55,7 +55,7 @@ fn make(entries: &Entries<'_>) -> Result<ToolOutput, Vec<Mistake>> {
     let name = entries.text("file");
     let name = if name.contains('.') { name.to_owned() } else { format!("{name}.nc") };
     let text = lines::program(entries).join("\n") + "\n";
-    let file = OutputFile { place: Place::Parts, name, text };
+    let file = OutputFile { place: FileFolder::Parts, name, text };
     Ok(ToolOutput { files: vec![file], notes: Vec::new() })
 }
 

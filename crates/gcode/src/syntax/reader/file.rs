@@ -8,7 +8,7 @@ use crate::syntax::lines::Lines;
 use crate::syntax::moves;
 use crate::syntax::text::{after_line_end, is_blank, line_end};
 use crate::syntax::tree::{Block, Extra, Node, PlainMove, Program, Span, Word};
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -147,7 +147,7 @@ impl File {
         }
         // The place in characters is found when the whole text is there.
         let Span { start, end } = fault.span;
-        let place = Place {
+        let place = SourcePlace {
             file: self.name.clone(),
             line: self.number(),
             column: start,
@@ -185,7 +185,7 @@ impl File {
     pub(super) fn finish(mut self, text: Arc<String>) -> Program {
         if self.untold > 0 {
             let message = format!("{} more findings are not listed", self.untold);
-            let place = Place::line(self.name.clone(), self.lines.len());
+            let place = SourcePlace::line(self.name.clone(), self.lines.len());
             self.diagnostics.push(Diagnostic::new(Code::BadBlock, place, message));
         }
         let foreign = self.foreign;

@@ -1,7 +1,7 @@
 //! Files in another language: said once, not in every line.
 
 use crate::syntax::tree::{Node, Program};
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 
 /// Returns `true` for a line of Fanuc's macro language: a condition in brackets, a jump to a line's number.
 pub fn looks_like_fanuc(line: &str) -> bool {
@@ -61,7 +61,7 @@ pub(super) fn judge(program: &mut Program, foreign: usize) {
         Some(found) if !sbp => found,
         _ => ("this file is OpenSBP, not G-code", "give it the ending .sbp"),
     };
-    let place = Place::line(program.name.clone(), line);
+    let place = SourcePlace::line(program.name.clone(), line);
     program.diagnostics = vec![Diagnostic::new(Code::NotGcode, place, message).hint(hint)];
     if !sbp {
         // No line of it is meant for a machine.

@@ -24,7 +24,7 @@ mod tests;
 pub use foreign::looks_like_opensbp;
 
 use crate::syntax::tree::Program;
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use std::sync::Arc;
 
 /// Reads a G-code file, whatever its dialect.
@@ -49,7 +49,7 @@ pub fn read_text(name: Arc<str>, text: Arc<String>) -> Program {
 
 /// A program without lines that only says why.
 fn refused(name: Arc<str>, line: u32, message: &str) -> Program {
-    let diagnostic = Diagnostic::new(Code::NotText, Place::line(name.clone(), line), message)
+    let diagnostic = Diagnostic::new(Code::NotText, SourcePlace::line(name.clone(), line), message)
         .hint("save it as plain text, UTF-8 or Windows-1252");
     Program { name, diagnostics: vec![diagnostic], ..Program::default() }
 }

@@ -4,7 +4,7 @@ use super::files::Files;
 use crate::run::session::FileParameters;
 use crate::syntax::Language;
 use crate::syntax::tree::Span;
-use kerf_diag::Place;
+use kerf_diag::SourcePlace;
 use kerf_program::{At, Axis, FileCall, GoTo};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -50,7 +50,7 @@ impl Flow {
     }
 
     /// The lines that called the innermost file, innermost first.
-    pub(crate) fn callers(&self, files: &Files) -> Vec<Place> {
+    pub(crate) fn callers(&self, files: &Files) -> Vec<SourcePlace> {
         let place = |level: &Level| Some(files.get(level.file)?.place(level.next, Span::default()));
         self.levels.iter().rev().skip(1).filter_map(place).collect()
     }

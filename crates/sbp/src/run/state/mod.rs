@@ -17,7 +17,7 @@ pub(crate) use given::Given;
 pub(crate) use handlers::{Handler, Handlers};
 pub(crate) use idling::Idling;
 pub(crate) use path::{Cutting, Origin};
-pub(crate) use place::Place;
+pub(crate) use place::RunPosition;
 pub(crate) use user_files::{UserFile, UserFiles};
 pub(crate) use values::Values;
 pub(crate) use variables::Memory;
@@ -38,7 +38,7 @@ pub(crate) struct Core {
     pub(crate) files: Files,
     pub(crate) flow: Flow,
     pub(crate) values: Values,
-    pub(crate) place: Place,
+    pub(crate) place: RunPosition,
     pub(crate) cutting: Cutting,
     pub(crate) handlers: Handlers,
     pub(crate) answers: Answers,
@@ -55,13 +55,13 @@ impl Core {
             flow: Flow::default(),
             values: Values::new(session.settings),
             cutting: Cutting::new(session.heading.filter(|_| options.typed)),
-            place: Place {
+            place: RunPosition {
                 frame: session.frame,
                 position: session.position,
                 offset_applied: session.offset_applied,
                 independent: session.independent,
                 before_preview: session.before_preview,
-                ..Place::default()
+                ..RunPosition::default()
             },
             handlers: Handlers::default(),
             answers: Answers::default(),

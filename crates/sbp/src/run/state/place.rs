@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 /// Place and frames of a run.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub(crate) struct Place {
+pub(crate) struct RunPosition {
     pub(crate) frame: Frame,
     /// Place to which the machine has been sent, machine frame.
     pub(crate) position: Axes,
@@ -25,7 +25,7 @@ pub(crate) struct Place {
     pub(crate) before_preview: Option<Box<BeforePreview>>,
 }
 
-impl Place {
+impl RunPosition {
     /// Working location, mm.
     pub(crate) fn working(&self) -> Axes {
         self.frame.working(self.position)

@@ -5,7 +5,7 @@ use super::labels::Labels;
 use super::names::Names;
 use crate::syntax::Dialect;
 use crate::syntax::tree::{NameId, Program};
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace};
 use std::sync::Arc;
 
 /// Diagnostics that are kept; a file that is no part file would give millions.
@@ -86,7 +86,7 @@ impl File {
         if self.untold > 0 {
             let line = self.program.lines.len() as u32;
             let message = format!("{} more findings are not listed", self.untold);
-            let place = Place::line(self.program.name.clone(), line);
+            let place = SourcePlace::line(self.program.name.clone(), line);
             let severity = if self.untold_errors { Severity::Error } else { Severity::Warning };
             let last = Diagnostic::new(Code::Syntax, place, message).severity(severity);
             self.program.diagnostics.push(last);

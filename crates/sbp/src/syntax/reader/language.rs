@@ -9,7 +9,7 @@ use super::index::{CommandIndex, is_opensbp};
 use super::text::{is_blank, line_end};
 use crate::syntax::Dialect;
 use crate::syntax::tree::{Language, Node, Program, Statement};
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -111,7 +111,7 @@ fn gcode_in_disguise(program: Program) -> Program {
 }
 
 fn disguised(program: &mut Program, message: &str, hint: &str) {
-    let place = Place::line(program.name.clone(), 1);
+    let place = SourcePlace::line(program.name.clone(), 1);
     let diagnostic = Diagnostic::new(Code::NotGcode, place, message).hint(hint);
     program.diagnostics.insert(0, diagnostic.severity(Severity::Warning));
 }

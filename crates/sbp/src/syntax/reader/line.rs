@@ -3,7 +3,7 @@
 use super::file::File;
 use super::text::{code_end, is_blank};
 use crate::syntax::tree::{NameId, Span};
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_diag::{Code, Diagnostic, Severity, SourcePlace};
 
 /// Says that a part of the line could not be read and that a diagnostic tells why.
 #[derive(Clone, Copy, Debug)]
@@ -239,7 +239,7 @@ impl<'f, 't> Line<'f, 't> {
         }
         let chars = |text: &str| text.chars().count() as u32;
         let (start, end) = (span.start as usize, span.end.max(span.start) as usize);
-        let place = Place {
+        let place = SourcePlace {
             file: self.file.program.name.clone(),
             line: self.number,
             column: chars(self.slice(0, start)) + 1,

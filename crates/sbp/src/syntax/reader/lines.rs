@@ -7,7 +7,7 @@ use super::line::{Line, Read};
 use super::text::{after_line_end, blank, is_blank, line_end};
 use super::{ends, moves, statements};
 use crate::syntax::tree::{LineNode, Node, Span, Statement};
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 
 /// Longer lines are refused; no person and no program writes them.
 const MOST_LINE_BYTES: usize = 1_000_000;
@@ -51,7 +51,8 @@ fn tell_ignored(file: &mut File, text: &str, stop: usize) {
     let line = file.program.lines.partition_point(|line| line.start as usize <= stop);
     let begin = line.checked_sub(1).map_or(0, |last| file.program.lines[last].start as usize);
     let column = text[begin..stop].chars().count() as u32 + 1;
-    let place = Place { file: file.program.name.clone(), line: line as u32, column, length: 1 };
+    let place =
+        SourcePlace { file: file.program.name.clone(), line: line as u32, column, length: 1 };
     let message = "the file ends here with Ctrl-Z; the text behind it is not read";
     let hint = "take the sign with the code 26 out where the text is meant";
     file.program.diagnostics.push(Diagnostic::new(Code::TextAfterEnd, place, message).hint(hint));
@@ -82,7 +83,7 @@ fn read_line(file: &mut File, text: &str) -> Node {
 /// Reports a line that is too long to be read.
 fn too_long(file: &mut File, line: u32) {
     let message = format!("the line is longer than {MOST_LINE_BYTES} characters");
-    let place = Place::line(file.program.name.clone(), line);
+    let place = SourcePlace::line(file.program.name.clone(), line);
     let hint = "is this a part file? each command stands on a line of its own";
     let told = Diagnostic::new(Code::LineTooLong, place, message).hint(hint);
     file.program.diagnostics.push(told);

@@ -48,7 +48,7 @@ pub(crate) use lines::END_OF_FILE;
 pub(crate) use text::{blank, code_end};
 
 use crate::syntax::{Dialect, Program};
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, SourcePlace};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -78,7 +78,7 @@ fn read_bytes(name: Arc<str>, bytes: Cow<'_, [u8]>, dialect: Dialect) -> Program
 
 /// A program without lines that only says why.
 fn refused(name: Arc<str>, line: u32, message: &str) -> Program {
-    let diagnostic = Diagnostic::new(Code::NotText, Place::line(name.clone(), line), message)
+    let diagnostic = Diagnostic::new(Code::NotText, SourcePlace::line(name.clone(), line), message)
         .hint("save it as plain text, UTF-8 or Windows-1252");
     Program { name, diagnostics: vec![diagnostic], ..Program::default() }
 }

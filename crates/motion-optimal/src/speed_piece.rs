@@ -2,7 +2,7 @@
 
 /// A piece of path with the Bézier ordinates of the squared speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Way {
+pub struct SpeedPiece {
     /// Its length, mm.
     pub h: f64,
     /// The ordinates.
