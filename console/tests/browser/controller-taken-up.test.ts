@@ -16,7 +16,7 @@ afterAll(async () => {
 const cutting = "SA\nMS,1,1\nSO,1,1\nPAUSE .2\nMZ,-.1\nM2,4,0\nM2,4,2\nM2,0,2\nJZ,.5\nSO,1,0\n";
 
 it("a run on a controller goes on at the very place after the server died", async () => {
-  const name = `grbl:${await controller.line()}`;
+  const name = `grbl:${await controller.port()}`;
   workshop = await openWorkshop({ controller: name });
   const folder = workshop.parts;
   writeFileSync(join(folder, "cut.sbp"), cutting);

@@ -21,7 +21,7 @@ let page: Page;
 
 beforeAll(async () => {
   controller = new Controller("120=400", "121=400");
-  const port = await controller.line();
+  const port = await controller.port();
   const part = "01-first-cut/first-cut.sbp";
   workshop = await openWorkshop({
     controller: `grbl:${port}`,

@@ -1,16 +1,19 @@
 /** Pretended controllers, for tests. */
 
 import { type ChildProcess, spawn } from "node:child_process";
-import { resolve } from "node:path";
+import { mkdtempSync, rmSync, symlinkSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
 import { until } from "./workshop";
 
 const examples = resolve(import.meta.dirname, "../../../target/debug/examples");
 
 /** One that moves in real time, and tells its port in its first line. */
-class Pretended {
+export class Pretended {
   private readonly child: ChildProcess;
   private readonly lines: string[] = [];
   private said = "";
+  private cable = "";
 
   constructor(program: string, words: string[]) {
     this.child = spawn(resolve(examples, program), words);
@@ -19,6 +22,19 @@ class Pretended {
       this.said = last;
       this.lines.push(...before.reverse());
     });
+  }
+
+  /**
+   * Its port. A pseudo terminal has a name of its own, which nothing has once it is unplugged: the system gives the
+   * name that it had to the next one, at which a server that waits for this one would try.
+   */
+  async port(): Promise<string> {
+    const told = await this.line();
+    if (!told.startsWith("/dev/")) return told;
+    this.cable = mkdtempSync(join(tmpdir(), "kerf-port-"));
+    const port = join(this.cable, "tty");
+    symlinkSync(told, port);
+    return port;
   }
 
   async line(): Promise<string> {
@@ -42,6 +58,7 @@ class Pretended {
   }
 
   unplug(): void {
+    if (this.cable) rmSync(this.cable, { recursive: true, force: true });
     this.child.kill();
   }
 }

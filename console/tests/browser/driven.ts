@@ -20,7 +20,7 @@ export async function driveController(
   ...words: string[]
 ): Promise<Driven> {
   const controller = new Controller(...words);
-  const workshop = await openWorkshop({ controller: `grbl:${await controller.line()}` });
+  const workshop = await openWorkshop({ controller: `grbl:${await controller.port()}` });
   for (const [name, text] of Object.entries(files)) {
     writeFileSync(join(workshop.parts, name), text);
   }

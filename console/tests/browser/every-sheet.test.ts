@@ -18,7 +18,7 @@ let workshop: Workshop;
 
 beforeAll(async () => {
   controller = new Controller();
-  const port = await controller.line();
+  const port = await controller.port();
   workshop = await openWorkshop({
     parts: ["01-first-cut/first-cut.sbp"],
     open: "first-cut.sbp",

@@ -23,7 +23,7 @@ let page: Page;
 
 beforeAll(async () => {
   linuxcnc = new LinuxCnc("unhomed");
-  workshop = await openWorkshop({ controller: `linuxcnc:${await linuxcnc.line()}` });
+  workshop = await openWorkshop({ controller: `linuxcnc:${await linuxcnc.port()}` });
   writeFileSync(
     join(workshop.parts, "square.sbp"),
     ["SO,1,1", "MS,1", "MX,3", "MY,2", "MX,0", "MY,0", "SO,1,0", ""].join("\n"),

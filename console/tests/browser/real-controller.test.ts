@@ -42,7 +42,7 @@ async function agree(): Promise<number[]> {
 it("says which machine it drives", async () => {
   const chip = page.locator(".mode");
   expect(await chip.textContent()).toContain("CUT");
-  expect(await chip.getAttribute("title")).toContain("grbl:/dev/");
+  expect(await chip.getAttribute("title")).toContain("grbl:/");
   const filled = await chip.evaluate((at) => getComputedStyle(at).backgroundColor);
   expect(filled, "its word is of the colour of the panel").not.toBe("rgba(0, 0, 0, 0)");
   expect(await violations(page)).toEqual([]);

@@ -6,7 +6,7 @@ import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import type { Snapshot } from "../../src/wire/messages";
 import { Controller } from "./controller";
-import { arm, openWorkshop, stateOf, violations, type Workshop } from "./workshop";
+import { arm, openWorkshop, stateOf, until, violations, type Workshop } from "./workshop";
 
 let controller: Controller;
 let workshop: Workshop;
@@ -15,7 +15,7 @@ let laser: string;
 
 beforeAll(async () => {
   controller = new Controller();
-  laser = `grbl:${await controller.line()}`;
+  laser = `grbl:${await controller.port()}`;
   workshop = await openWorkshop({ also: [laser], isDeaf: true });
   writeFileSync(join(workshop.parts, "long.sbp"), "MS,.1\nMX,40\n");
   page = await workshop.page();
@@ -58,10 +58,9 @@ it("STOP on the page of one stops that one alone", async () => {
   await sheet.getByRole("button", { name: "Skip" }).click();
   await starts("long.sbp");
   if (process.env.SHOTS) await page.screenshot({ path: `${process.env.SHOTS}/together.png` });
+  await until(async () => ((await controller.look()).place[0] ?? 0) > 0, "it moves");
   await page.getByRole("button", { name: "STOP" }).click();
   await expect.poll(async () => (await here()).machine.state).not.toBe("running");
-  const { place } = await controller.look();
-  expect(place[0]).toBeGreaterThan(0);
   expect((await stateOf(workshop)).machine.state, "the other one goes on").toBe("running");
   await machines().getByRole("link", { name: "sim" }).click();
   await page.locator(".mode", { hasText: "SIMULATED" }).waitFor();

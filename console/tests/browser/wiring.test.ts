@@ -15,7 +15,7 @@ let page: Page;
 
 beforeAll(async () => {
   board = new Board();
-  port = await board.line();
+  port = await board.port();
   // Patient with a computer that does much else.
   execFileSync(kerf, ["set", "--data", folder, "board.deadline_s=2", "board.watch_s=3"]);
   // A switch that opens when it is pressed, at a pin that is pulled up.

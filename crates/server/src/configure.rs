@@ -18,7 +18,7 @@ use kerf_machine::value::NONE;
 use kerf_machine::{Configuration, Value};
 use kerf_program::{AXES, Axis, AxisSet};
 use kerf_wire::{
-    Problem, SettingArea, SettingChange, SettingEntry, SettingKind, Setup, Tone, Who, Why, ZHeights,
+    Problem, SettingArea, SettingChange, SettingEntry, SettingKind, Setup, Who, Why, ZHeights,
 };
 use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, Mutex};
@@ -172,17 +172,13 @@ impl MachineSettings {
         let setting = set(&mut wanted, key, value)?;
         check(&wanted)?;
         let change = change_of(setting, &before, &wanted);
-        self.keep_on_disk(setting, wanted)?;
-        let change = SettingChange { key: key.into(), by: by.device.clone(), ..change };
-        if change.from != change.to && !self.changes.add(&change) {
-            let text =
-                format!("{key} is changed, but not in the history of changes: the disk refuses");
-            self.hub.say(Tone::Warning, text);
-        }
-        Ok(())
+        let change = SettingChange { by: by.device.clone(), ..change };
+        let change = Some(change).filter(|change| change.from != change.to);
+        self.keep_on_disk(setting, wanted, change)
     }
 
-    /// Has another configuration, of which this setting is new, and comes back when that is on the disk.
+    /// Has another configuration, of which this setting is new, and comes back when that is on the disk, and the change
+    /// in the history.
     ///
     /// # Errors
     /// The machine is busy, or the setting cannot be kept.
@@ -190,9 +186,11 @@ impl MachineSettings {
         &self,
         setting: &'static Setting,
         wanted: Configuration,
+        change: Option<SettingChange>,
     ) -> Result<(), Problem> {
         let (tells, told) = channel();
-        self.orders.order(Order::Configure { setting, wanted: Box::new(wanted), tells })?;
+        let wanted = Box::new(wanted);
+        self.orders.order(Order::Configure { setting, wanted, change, tells })?;
         match told.recv_timeout(ON_DISK_WITHIN) {
             Ok(kept) => kept.map_err(|why| problem(Why::Server, why)),
             Err(_) => {
@@ -234,7 +232,9 @@ impl MachineSettings {
         let Some(setting) = table::setting("options.join_mm") else { return };
         if setting.set(&mut wanted, &Value::Number(join_mm)).is_ok() {
             let (tells, _) = channel();
-            drop(self.orders.order(Order::Configure { setting, wanted: Box::new(wanted), tells }));
+            let wanted = Box::new(wanted);
+            let order = Order::Configure { setting, wanted, change: None, tells };
+            drop(self.orders.order(order));
         }
     }
 }

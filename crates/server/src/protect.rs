@@ -70,7 +70,7 @@ impl MachineSettings {
             .set(&mut wanted, &value)
             .map_err(|error| problem(Why::Mistake, error.to_string()))?;
         self.unlocked.clear();
-        self.keep_on_disk(setting, wanted)
+        self.keep_on_disk(setting, wanted, None)
     }
 
     /// Takes the password: whoever gave it may change settings for a while.

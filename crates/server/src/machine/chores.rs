@@ -15,8 +15,8 @@ use kerf_machine::Configuration;
 use kerf_machine::table::Setting;
 use kerf_program::{Axis, rounded};
 use kerf_wire::{
-    Change, CurrentRun, Folder, Interrupted, Machine, NamedValue, Recorder, State, Tone,
-    ToolChange, Who,
+    Change, CurrentRun, Folder, Interrupted, Machine, NamedValue, Recorder, SettingChange, State,
+    Tone, ToolChange, Who,
 };
 use kerf_workspace::command_passing;
 use kerf_workspace::height_map::{take_height_map_off, use_height_map};
@@ -233,6 +233,7 @@ impl Owner {
         &mut self,
         setting: &'static Setting,
         wanted: Configuration,
+        change: Option<&SettingChange>,
         tells: &Sender<Result<(), String>>,
     ) {
         let Workshop { session, workspace, .. } = &mut self.workshop;
@@ -241,6 +242,14 @@ impl Owner {
         });
         if let Err(why) = &kept {
             self.hub.say(Tone::Warning, why.clone());
+        }
+        // Pages that hear of other settings read the history: the change is in it by then.
+        let entered = kept.is_err() || change.is_none_or(|change| self.changes.add(change));
+        if !entered {
+            let key = setting.key;
+            let text =
+                format!("{key} is changed, but not in the history of changes: the disk refuses");
+            self.hub.say(Tone::Warning, text);
         }
         self.rest(State::Idle, None);
         // The machine's state first: whoever asked may ask for the next thing at once. Some do not wait.
@@ -427,6 +436,33 @@ mod tests {
         assert_eq!(owner.hub.read(|now| now.settings), 1);
         let left = crate::locks::lock(&owner.left).session.memory.settings.clone();
         assert_eq!(left, owner.workshop.session.memory.settings);
+    }
+
+    #[test]
+    fn a_change_of_a_setting_is_in_the_history_before_anybody_is_told_of_it() {
+        let (folder, link) = (tempfile::tempdir().unwrap(), Arc::<Link>::default());
+        let mut owner = owner(folder.path(), &link);
+        let setting = kerf_machine::table::setting("cutter.diameter_mm").unwrap();
+        let mut wanted = owner.workshop.session.configuration();
+        setting.set(&mut wanted, &kerf_machine::Value::Number(7.0)).unwrap();
+        let before = owner.workshop.session.configuration();
+        let [change] = &crate::configure::changes_through("", "", [&before, &wanted])[..] else {
+            panic!("one")
+        };
+        let (tells, told) = channel();
+        owner.configure(setting, wanted.clone(), Some(change), &tells);
+        assert_eq!(told.recv(), Ok(Ok(())));
+        assert_eq!(owner.changes.list().unwrap(), std::slice::from_ref(change));
+        // A disk that refuses shows what came first.
+        let history = folder.path().join("setting-changes.jsonl");
+        std::fs::remove_file(&history).unwrap();
+        std::fs::create_dir(&history).unwrap();
+        let (_, mut heard) = owner.hub.listen();
+        owner.configure(setting, before, Some(change), &tells);
+        let texts = std::iter::from_fn(|| heard.try_recv().ok()).map(|it| it.text().to_string());
+        let texts: Vec<String> = texts.collect();
+        let at = |word: &str| texts.iter().position(|text| text.contains(word)).unwrap();
+        assert!(at("not in the history") < at("\"settings\""), "{texts:#?}");
     }
 
     /// The machine stands with an output on, and looks for orders every hour; whatever happens then switches it off.

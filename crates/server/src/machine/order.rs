@@ -9,7 +9,7 @@ use kerf_machine::table::Setting;
 use kerf_machine::{Configuration, Errand};
 use kerf_program::{AXES, Axis};
 use kerf_sbp::FileParameters;
-use kerf_wire::ToolChange;
+use kerf_wire::{SettingChange, ToolChange};
 use std::path::PathBuf;
 use std::sync::mpsc::Sender;
 
@@ -137,6 +137,8 @@ pub enum Order {
         setting: &'static Setting,
         /// The configuration.
         wanted: Box<Configuration>,
+        /// What the history of changes gets to know when it is on the disk.
+        change: Option<SettingChange>,
         /// Told whether it is on the disk.
         tells: Sender<Result<(), String>>,
     },

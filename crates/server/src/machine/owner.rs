@@ -160,8 +160,8 @@ impl Owner {
                 Order::Folder { path, mask } => self.enter(&path, mask.as_deref()),
                 Order::Record(line) => self.record(&line),
                 Order::Watched | Order::Switches => {}
-                Order::Configure { setting, wanted, tells } => {
-                    self.configure(setting, *wanted, &tells);
+                Order::Configure { setting, wanted, change, tells } => {
+                    self.configure(setting, *wanted, change.as_ref(), &tells);
                 }
                 Order::Hold { wanted, tells } => self.hold(*wanted, &tells),
                 Order::Keep(tells) => self.keep(&tells),
