@@ -147,7 +147,11 @@ impl Machine for Queued {
 
     fn tells(&mut self) -> Option<String> {
         let behind = self.sensor.tells(&self.name, self.feeder.height.as_ref());
-        self.told_drivers.take().or(behind).or_else(|| self.lead_changed())
+        self.told_drivers.take().or(behind).or_else(|| {
+            let moves = matches!(self.state, State::Moving(..));
+            let changed = moves.then(|| self.lead.changed(self.progress.lead_s)).flatten()?;
+            Some(format!("{}: {changed}", self.name))
+        })
     }
 
     fn changed_input(&mut self) -> Option<(u8, bool)> {

@@ -1,11 +1,12 @@
 //! A board with step queues as a machine that a run drives.
 
 use super::berth::Berth;
-use super::facts::{self, HANDING_S, LONGEST_S, SAFETY, SPARE};
+use super::facts;
 use super::feeder::{Feeder, Scale};
 use super::height::{EVERY_S, Height, Sensor};
 use super::homing::{Came, Homing};
 use super::outputs::Outputs;
+use super::run_lead::RunLead;
 use super::steering::{self, Steering};
 use super::touch::Probe;
 use super::wiring::Wiring;
@@ -21,10 +22,6 @@ use kerf_program::{At, Axes, Axis, AxisSet, HeightLaw, Settings};
 use std::collections::VecDeque;
 use std::time::Duration;
 
-/// A lead that is so many times the one that was told, or that part of it, is told.
-const TOLD: f64 = 1.5;
-/// Share of it that is forgotten in a second.
-const FORGOTTEN: f64 = 0.02;
 /// Time behind the last step after which it has surely been made, seconds.
 const SETTLED_S: f64 = 0.005;
 /// A board that was told to stop is waited for at most so long, seconds.
@@ -74,10 +71,8 @@ pub struct Queued {
     pub(super) late: bool,
     /// The line of the move at hand.
     pub(super) at: Option<At>,
-    /// Longest time for which the run did not look, slowly forgotten, seconds.
-    pub(super) stall_s: f64,
-    /// The lead that the operator was told of, seconds; nothing before the first motion.
-    pub(super) lead_told_s: Option<f64>,
+    /// Time by which the run is ahead.
+    pub(super) lead: RunLead,
     /// A motor driver that is not well and goes on, in a sentence that was not told yet.
     pub(super) told_drivers: Option<String>,
     /// While nothing moves: the moment of machine time that was told last, and when.
@@ -136,8 +131,7 @@ impl Queued {
             elsewhere: None,
             late: false,
             at: None,
-            stall_s: 0.0,
-            lead_told_s: None,
+            lead: RunLead::default(),
             told_drivers: None,
             stood: None,
             homes: Vec::new(),
@@ -251,53 +245,12 @@ impl Queued {
         }
     }
 
-    /// The run has not looked for a time: it may do so again.
-    fn looked(&mut self, progress: Progress, wait: Duration) -> Progress {
-        let gap_s = progress.at_s - self.progress.at_s;
-        let stalled_s = (gap_s - wait.as_secs_f64()).min(LONGEST_S);
-        let forgotten = 1.0 - FORGOTTEN * gap_s.min(1.0);
-        self.stall_s =
-            (self.stall_s * forgotten).max(if self.state == State::Rest { 0.0 } else { stalled_s });
-        progress
-    }
-
-    /// A sentence about the lead where it is another than was told.
-    pub(super) fn lead_changed(&mut self) -> Option<String> {
-        let [stall_s, lead_s] = self.progress.lead_s;
-        let is_known = matches!(self.state, State::Moving(..)) && lead_s > 0.0;
-        let told_s = is_known.then(|| *self.lead_told_s.get_or_insert(lead_s))?;
-        if (1.0 / TOLD..TOLD).contains(&(lead_s / told_s)) {
-            return None;
-        }
-        self.lead_told_s = Some(lead_s);
-        let why = if lead_s > told_s {
-            "the computer stalled for"
-        } else {
-            "the computer stalls no longer than"
-        };
-        let [stall_ms, lead_ms] = [stall_s, lead_s].map(|time_s| time_s * 1e3);
-        Some(format!(
-            "{}: {why} {stall_ms:.0} ms; motion is sent {lead_ms:.0} ms ahead from now on, and a hold begins as much later",
-            self.name
-        ))
-    }
-
-    /// Time by which pieces are handed over before they begin, seconds: so much before the way to rest would be sent in
-    /// place of the next one that the run may stall. A hold and another feed come as much later.
-    fn ahead_s(&self) -> f64 {
-        let spare_s = SPARE * self.progress.lead_s[1];
-        self.least_s() + spare_s.max(SAFETY * self.stall_s)
-    }
-
-    /// Shortest time by which a piece is handed over before it begins, seconds.
-    fn least_s(&self) -> f64 {
-        0.5 * self.progress.lead_s[1] + HANDING_S
-    }
-
     /// Looks what became of requests, waiting for a moment at most.
     pub(super) fn tend(&mut self, wait: Duration) {
         let (progress, answers) = self.berth.look(wait);
-        self.progress = self.looked(progress, wait);
+        let gap_s = progress.at_s - self.progress.at_s;
+        self.lead.looked(gap_s, wait.as_secs_f64(), self.state != State::Rest);
+        self.progress = progress;
         for answer in answers {
             match answer {
                 Answer::Started(Start { clock, ticks_per_s }) => {
@@ -516,12 +469,13 @@ impl Queued {
         let State::Moving(scale, starts) = self.state else { return None };
         let (now, off) = self.progress.clock?;
         let begin_s = self.feeder.begins_s()?;
-        let earliest = now + off + self.ticks(self.least_s());
+        let [_, lead_s] = self.progress.lead_s;
+        let earliest = now + off + self.ticks(RunLead::least_s(lead_s));
         let late = self.feeder.rests && scale.at(begin_s) < earliest as f64;
         let from = (begin_s, earliest.max(starts) as f64);
         let scale = if late { Scale { from, ..scale } } else { scale };
         let clock = (scale.at(begin_s) as u64).max(starts);
-        if clock > now + off + self.ticks(self.ahead_s()) || self.fault.is_some() {
+        if clock > now + off + self.ticks(self.lead.ahead_s(lead_s)) || self.fault.is_some() {
             return None;
         }
         let (piece, [followed, behind]) = self.feeder.piece(&scale, starts)?;

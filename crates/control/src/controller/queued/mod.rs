@@ -26,6 +26,7 @@ mod others;
 mod outputs;
 mod pins;
 mod priority;
+mod run_lead;
 mod steering;
 mod thread;
 mod touch;
