@@ -86,6 +86,7 @@ impl App {
             | Act::ToolIn { .. }
             | Act::TouchOff { .. }
             | Act::ControllerSteps { .. }) => tools::hears(self, asker, act)?,
+            Act::ControllerCard { task, .. } => self.card.hears(asker, task)?,
             Act::HeightMap { change, .. } => height_map::change(self, asker, change)?,
             act @ (Act::Wire { .. } | Act::WireLook { .. } | Act::WireAnswer { .. }) => {
                 self.wirings.hears(asker, act)?;

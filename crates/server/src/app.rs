@@ -8,6 +8,7 @@ use crate::added::AddedShapes;
 use crate::awaited::Works;
 use crate::clock::Clock;
 use crate::configure::MachineSettings;
+use crate::controller_card::CardDesk;
 use crate::desk::DrawingDesk;
 use crate::draft;
 use crate::driving::Driving;
@@ -81,6 +82,8 @@ pub struct App {
     pub keys: Keys,
     /// A board that is being wired.
     pub wirings: Wirings,
+    /// The card of the controller.
+    pub card: CardDesk,
     /// Paired devices.
     pub devices: Devices,
     /// Token of whoever sits at the machine, where others may connect as well.
@@ -139,6 +142,11 @@ impl App {
             runs: lent.runs(&orders, &jobs),
             hands: lent.hands(&orders, &loader, &pages, &clock),
             files: loader.files.clone(),
+            card: CardDesk::new(
+                (hub.clone(), link.clone(), left.clone()),
+                orders.clone(),
+                loader.clone(),
+            ),
             wirings: Wirings::new(hub.clone(), link.clone(), left.clone(), loader.files.clone()),
             texts: Texts::new(&options.data),
             driving: Arc::new(driving),

@@ -17,7 +17,7 @@ use crate::refusal::problem;
 use crate::setup::Options;
 use kerf_control::answers::{self, Effect};
 use kerf_handconsole::{ConsoleRequest, Key};
-use kerf_wire::{Act, Asked, Lease, Mode, Problem, Role, Snapshot, State, Who, Why};
+use kerf_wire::{Act, Asked, CardAct, Lease, Mode, Problem, Role, Snapshot, State, Who, Why};
 use kerf_workspace::stored;
 
 /// Something that somebody asks for, by the way on which it came.
@@ -143,7 +143,10 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::Step { lease, .. }
         | Act::Zero { lease, .. }
         | Act::TouchOff { lease }
-        | Act::ToolIn { lease } => driving(TurnNeeded::Number(*lease)),
+        | Act::ToolIn { lease }
+        | Act::ControllerCard { lease, task: CardAct::Run { .. } } => {
+            driving(TurnNeeded::Number(*lease))
+        }
         Act::Command { lease, line } => needs_of_typed(now, *lease, line),
         // A question may wait for that very switch.
         Act::Input { lease, .. } if now.machine.state == State::Asking => {
@@ -153,6 +156,7 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::Arm { lease }
         | Act::Override { lease, .. }
         | Act::HeightMap { lease, .. }
+        | Act::ControllerCard { lease, .. }
         | Act::Tool { lease, .. }
         | Act::ForgetPace { lease }
         | Act::Key { lease, .. }

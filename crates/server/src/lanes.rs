@@ -42,7 +42,10 @@ impl Lanes for Act {
             Self::Command { line, .. } | Self::Record { line } if line.len() <= LINE => {
                 Some(Lane::Short)
             }
-            Self::Run { .. } | Self::Set { .. } | Self::Folder { .. } => Some(Lane::Short),
+            Self::Run { .. }
+            | Self::Set { .. }
+            | Self::Folder { .. }
+            | Self::ControllerCard { .. } => Some(Lane::Short),
             _ => Some(Lane::Long),
         }
     }

@@ -28,6 +28,7 @@ mod by_hand;
 mod called;
 mod clock;
 mod configure;
+mod controller_card;
 mod counted;
 mod descriptors;
 mod desk;

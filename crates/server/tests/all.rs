@@ -4,6 +4,7 @@
 
 mod asked;
 mod controller;
+mod controller_card;
 mod digitize;
 mod drawing;
 mod gate;

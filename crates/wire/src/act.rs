@@ -1,6 +1,8 @@
 //! Requests of pages: the acts they ask for.
 
-use crate::{AXES, ByHand, FileParameters, HeightMapChange, JobChoice, Op, ToolChange, ZeroChange};
+use crate::{
+    AXES, ByHand, CardAct, FileParameters, HeightMapChange, JobChoice, Op, ToolChange, ZeroChange,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -285,6 +287,13 @@ pub enum Act {
         axis: char,
         /// Steps of a millimetre.
         steps: f64,
+    },
+    /// Works the card of the controller. Not while a job runs, but for its end.
+    ControllerCard {
+        /// Number of the lease.
+        lease: u32,
+        /// The request.
+        task: CardAct,
     },
     /// Changes the height map that programs follow. Not while a job runs.
     HeightMap {

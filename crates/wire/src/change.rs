@@ -2,10 +2,10 @@
 
 use crate::preview::TypedPath;
 use crate::{
-    Asked, Client, ControllerSetting, CurrentRun, Digitized, DrawingState, Folder, HandConsole,
-    HeightMap, Interrupted, Io, Lease, Looked, Machine, Message, Motion, NamedValue, Opened,
-    Overrides, Pause, Recorder, Reply, ServedMachine, Setup, Snapshot, Sound, Speeds, StartUp,
-    ToolTable, Units, Who, Wiring, Zero,
+    Asked, Client, ControllerCard, ControllerSetting, CurrentRun, Digitized, DrawingState, Folder,
+    HandConsole, HeightMap, Interrupted, Io, Lease, Looked, Machine, Message, Motion, NamedValue,
+    Opened, Overrides, Pause, Recorder, Reply, ServedMachine, Setup, Snapshot, Sound, Speeds,
+    StartUp, ToolTable, Units, Who, Wiring, Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -73,6 +73,11 @@ pub enum Change {
     #[serde(rename_all = "camelCase")]
     ControllerSettings {
         controller_settings: Vec<ControllerSetting>,
+    },
+    /// The card of the controller.
+    #[serde(rename_all = "camelCase")]
+    ControllerCard {
+        controller_card: ControllerCard,
     },
     Tools {
         tools: ToolTable,

@@ -220,6 +220,8 @@ pub struct CurrentRun {
     pub hash: Option<String>,
     /// The command line, when somebody typed it.
     pub command: Option<String>,
+    /// The controller runs the file from a card of its own.
+    pub from_card: bool,
     /// Planned time, seconds; 0 when it is not known.
     #[ts(type = "Seconds")]
     pub seconds: f64,

@@ -21,6 +21,7 @@
 mod act;
 mod by_hand;
 mod change;
+mod controller_card;
 mod controller_line;
 mod digitized;
 mod drawing;
@@ -48,6 +49,7 @@ mod wiring;
 pub use act::{Act, Request};
 pub use by_hand::ByHand;
 pub use change::{Change, ToPage};
+pub use controller_card::{CardAct, CardFile, CardLook, CardTask, CardTaskKind, ControllerCard};
 pub use controller_line::{ControllerLine, ControllerLines, LineKind};
 pub use digitized::{Digitized, DigitizedPoint, Look, Looked};
 pub use drawing::{

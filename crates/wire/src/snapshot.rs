@@ -2,10 +2,10 @@
 
 use crate::preview::TypedPath;
 use crate::{
-    Asked, Change, Client, ControllerSetting, CurrentRun, Digitized, DrawingState, Folder,
-    HandConsole, HeightMap, Interrupted, Io, Lease, Looked, Machine, Message, Motion, NamedValue,
-    Opened, Overrides, Pause, Recorder, ServedMachine, Setup, Sound, Speeds, ToolTable, Units,
-    VERSION, Wiring, Zero,
+    Asked, Change, Client, ControllerCard, ControllerSetting, CurrentRun, Digitized, DrawingState,
+    Folder, HandConsole, HeightMap, Interrupted, Io, Lease, Looked, Machine, Message, Motion,
+    NamedValue, Opened, Overrides, Pause, Recorder, ServedMachine, Setup, Sound, Speeds, ToolTable,
+    Units, VERSION, Wiring, Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -81,6 +81,8 @@ pub struct Snapshot {
     pub controller_steps: Vec<f64>,
     /// Settings that the controller keeps by number, in their order; none of a machine without such.
     pub controller_settings: Vec<ControllerSetting>,
+    /// The card of the controller, whose files it runs by itself.
+    pub controller_card: ControllerCard,
     /// The tools by their numbers.
     pub tools: ToolTable,
     /// The height map that programs follow; nothing where surfaces are flat.
@@ -142,6 +144,7 @@ impl Default for Snapshot {
             zeros: Vec::new(),
             controller_steps: Vec::new(),
             controller_settings: Vec::new(),
+            controller_card: ControllerCard::default(),
             tools: ToolTable::default(),
             height_map: None,
             wiring: None,
@@ -189,6 +192,9 @@ impl Snapshot {
             }
             Change::ControllerSteps { controller_steps } => {
                 self.controller_steps = controller_steps;
+            }
+            Change::ControllerCard { controller_card } => {
+                self.controller_card = controller_card;
             }
             Change::Tools { tools } => self.tools = tools,
             Change::HeightMap { height_map } => self.height_map = height_map,

@@ -2,10 +2,10 @@
 
 use crate::preview::TypedPath;
 use crate::{
-    AXES, Asked, Change, Client, ControllerSetting, CurrentRun, Digitized, DrawingState, Folder,
-    HandConsole, HeightMap, Interrupted, Io, Lease, Look, Looked, Machine, Message, Motion,
-    NamedValue, Opened, Overrides, Pause, Recorder, Role, ServedMachine, Setup, Snapshot, Sound,
-    Speeds, StartUp, ToolTable, Units, Zero,
+    AXES, Asked, Change, Client, ControllerCard, ControllerSetting, CurrentRun, Digitized,
+    DrawingState, Folder, HandConsole, HeightMap, Interrupted, Io, Lease, Look, Looked, Machine,
+    Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Role, ServedMachine, Setup,
+    Snapshot, Sound, Speeds, StartUp, ToolTable, Units, Zero,
 };
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -70,6 +70,9 @@ fn of_the_machine() -> Vec<Change> {
         Change::ControllerSteps { controller_steps: vec![250.0, 80.0] },
         Change::ControllerSettings {
             controller_settings: vec![ControllerSetting { number: 110, ..Default::default() }],
+        },
+        Change::ControllerCard {
+            controller_card: ControllerCard { has: true, ..ControllerCard::default() },
         },
         Change::Tools { tools: ToolTable { in_spindle: 2, ..ToolTable::default() } },
         Change::HeightMap { height_map: Some(HeightMap::of(&[0.0, 1.0], &[0.0, 2.0], &[0.5; 4])) },

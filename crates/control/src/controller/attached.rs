@@ -38,6 +38,8 @@ pub struct First {
     pub unlock: bool,
     /// The controller may stay locked: the operator homes the machine later.
     pub may_be_locked: bool,
+    /// It may run a file from its card, and tell nothing of itself before that is over.
+    pub beside_card: bool,
 }
 
 /// Sentences about a controller that was attached.
@@ -55,6 +57,8 @@ pub struct Controller {
     socket: Socket,
     /// It has kept count of its place since it was driven last.
     counts: bool,
+    /// It ran a file from its card when its port was opened, and has told nothing of itself yet.
+    is_beside: bool,
     connection: Rc<RefCell<Connection>>,
 }
 
@@ -90,9 +94,15 @@ impl Controller {
     ) -> Result<(Self, AttachReport), String> {
         let abandoned = workspace.stored.get(DRIVEN) == Some(&*socket.port);
         let (driver, line) = (socket.opens)()?;
-        let (ends, log) = ((driver, line as Box<dyn Line>), socket.log.clone());
-        let mut connection = Connection::open_logged(&socket.name, ends, log, abandoned)?;
+        let (line, log) = (line as Box<dyn Line>, socket.log.clone());
+        let mut connection = match first.beside_card && !abandoned {
+            true => Connection::open_beside_card(&socket.name, driver, line, log)?,
+            false => Connection::open_logged(&socket.name, (driver, line), log, abandoned)?,
+        };
         connection.opens_again(socket.opens.clone());
+        if let Some(job) = connection.card_job() {
+            return Ok(Self::beside(socket, connection, &job, session));
+        }
         let mut told = AttachReport::default();
         let axes: String = "XYZABC".chars().take(connection.facts().axes).collect();
         told.notes.push(format!("{}: {}, axes {axes}", socket.name, connection.facts().name));
@@ -116,10 +126,25 @@ impl Controller {
         }
         connection.learned = Learned::of(&socket.port, &workspace.stored);
         let connection = Rc::new(RefCell::new(connection));
-        let mut controller = Self { socket, counts: true, connection };
+        let mut controller = Self { socket, counts: true, is_beside: false, connection };
         session.driven_by = Some(controller.driven_by());
         controller.finds_place(first, abandoned, session, workspace, &mut told);
         Ok((controller, told))
+    }
+
+    /// Has hold of a controller that runs a file from its card: it is attached anew when that is over.
+    fn beside(
+        socket: Socket,
+        connection: Connection,
+        job: &CardJob,
+        session: &mut Session,
+    ) -> (Self, AttachReport) {
+        let note = format!("{} runs {} from its own card: it is followed", socket.name, job.name);
+        let connection = Rc::new(RefCell::new(connection));
+        let controller = Self { socket, counts: false, is_beside: true, connection };
+        session.machine = None;
+        session.driven_by = Some(controller.driven_by());
+        (controller, AttachReport { notes: vec![note], warnings: Vec::new() })
     }
 
     /// Holds the place that the controller tells against the one on record.
@@ -171,7 +196,7 @@ impl Controller {
         self.connection.borrow_mut().let_go();
         let attached = Self::attach(
             self.socket.clone(),
-            First { may_be_locked: true, ..First::default() },
+            First { may_be_locked: true, beside_card: self.is_beside, ..First::default() },
             session,
             workspace,
             || false,
@@ -179,7 +204,7 @@ impl Controller {
         // Whoever has hold of the connection has the new one from now on.
         let (again, told) = attached;
         self.connection.swap(&again.connection);
-        self.counts = again.counts;
+        (self.counts, self.is_beside) = (again.counts, again.is_beside);
         Ok(told)
     }
 
@@ -297,6 +322,11 @@ impl Controller {
         &self.socket.log
     }
 
+    /// Returns `true` if it has told nothing of itself yet, because it ran a file from its card when its port was opened.
+    pub const fn is_beside(&self) -> bool {
+        self.is_beside
+    }
+
     /// Tells whether it has a card with files that it runs by itself.
     ///
     /// # Errors
@@ -407,6 +437,11 @@ impl Controller {
         Learned::forget(&self.socket.port, &mut workspace.stored);
     }
 
+    /// A file that it ran from its card is over: keeps where that has left it.
+    pub fn stood_by_card(&self, workspace: &mut Workspace) {
+        self.keeps_place(workspace);
+    }
+
     /// Leaves the controller and puts back the settings that were changed in it.
     pub fn detach(&self, workspace: &mut Workspace) {
         let mut connection = self.connection.borrow_mut();
@@ -478,10 +513,13 @@ impl Controller {
             let why = format!("{}: {why}", self.name());
             return vec![Diagnostic::new(Code::Controller, SourcePlace::line(work.name(), 0), why)];
         }
+        dry_run(self.limits(), work, (session, options), workspace, (operator, &mut ()))
+    }
+
+    /// Returns what a dry run is held against, where the controller stands now.
+    pub fn limits(&self) -> Lacks {
         let connection = self.connection.borrow();
-        let lacks = Lacks::new(connection.name(), connection.facts(), connection.offset());
-        drop(connection);
-        dry_run(lacks, work, (session, options), workspace, operator)
+        Lacks::new(connection.name(), connection.facts(), connection.offset())
     }
 
     /// Returns the loader of the controller's firmware (UI): it runs the command of the settings while the port is closed.

@@ -32,6 +32,8 @@ pub enum CardWish {
     Feed(u8),
     /// The operator turns something else.
     Override(Override),
+    /// Nobody follows it any more: the file goes on.
+    Leave,
 }
 
 /// State of a file that runs from a card.
@@ -45,6 +47,8 @@ pub struct CardState {
     pub is_held: bool,
     /// Act at its own controls for which it waits.
     pub waits: Option<&'static str>,
+    /// It waits for a tool.
+    pub wants_tool: bool,
     /// The line to it is lost at the moment; the file goes on.
     pub is_lost: bool,
 }
@@ -58,6 +62,8 @@ pub enum CardEnd {
     Stopped,
     /// It ended by itself before, for a reason.
     Failed(String),
+    /// It goes on, and nobody follows it any more.
+    Left,
 }
 
 /// Does something on the card of a controller that stands.
@@ -120,20 +126,22 @@ pub fn follow_card(
     while let Some(job) = connection.link.driver().card_job() {
         let driver = connection.link.driver();
         held &= driver.hold() != Hold::WentOn;
-        let waits = driver.waits();
+        let (waits, wants_tool) = (driver.waits(), driver.waits_for_tool());
         let is_lost = connection.lost.is_some();
         tells(&CardState {
             job: job.clone(),
             place: connection.place(),
             is_held: held,
             waits,
+            wants_tool,
             is_lost,
         });
         match wishes() {
             Some(CardWish::Stop) => return stop_card(connection).map(|()| CardEnd::Stopped),
+            Some(CardWish::Leave) => return Ok(CardEnd::Left),
             Some(wish) => {
                 held = (held || wish == CardWish::Hold) && wish != CardWish::Resume;
-                connection.signal(signal(wish));
+                signal(wish).into_iter().for_each(|signal| connection.signal(signal));
             }
             None => {}
         }
@@ -151,15 +159,16 @@ pub fn follow_card(
     Ok(failed.map_or(CardEnd::Ended, CardEnd::Failed))
 }
 
-const fn signal(wish: CardWish) -> Signal {
-    match wish {
-        CardWish::Stop => Signal::Stop,
+/// Returns what is signalled for a wish; nothing for what ends the following.
+const fn signal(wish: CardWish) -> Option<Signal> {
+    Some(match wish {
+        CardWish::Stop | CardWish::Leave => return None,
         CardWish::Hold => Signal::Hold,
         CardWish::Resume => Signal::Resume,
         CardWish::ToolIn => Signal::ToolIn,
         CardWish::Feed(percent) => Signal::Feed(percent),
         CardWish::Override(turned) => Signal::Override(turned),
-    }
+    })
 }
 
 /// Ends the file where the machine stands; its reset switches outputs off.

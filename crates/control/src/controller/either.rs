@@ -10,7 +10,7 @@ use super::{CardEnd, CardState, CardWish, Socket};
 use crate::answers::Operator;
 use crate::learned::Learned;
 use crate::session::DrivenBy;
-use crate::{RunContext, Session};
+use crate::{Requests, RunContext, Session};
 use kerf_diag::Diagnostic;
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::driver::{CardAnswer, CardJob, CardTask, ToldSetting, Zero, ZeroChange};
@@ -225,6 +225,29 @@ impl Controller {
         }
     }
 
+    /// Returns `true` if it has told nothing of itself yet, because it ran a file from its card when its port was opened.
+    pub const fn is_beside(&self) -> bool {
+        match self {
+            Self::Followed(controller) => controller.is_beside(),
+            Self::Queued(_) => false,
+        }
+    }
+
+    /// Returns what a dry run of a file for its card is held against; nothing while it has told nothing of itself.
+    pub fn card_limits(&self) -> Option<Lacks> {
+        match self {
+            Self::Followed(controller) if !controller.is_beside() => Some(controller.limits()),
+            _ => None,
+        }
+    }
+
+    /// A file that it ran from its card is over: keeps where that has left it.
+    pub fn stood_by_card(&self, workspace: &mut Workspace) {
+        if let Self::Followed(controller) = self {
+            controller.stood_by_card(workspace);
+        }
+    }
+
     /// Tells whether it has a card with files that it runs by itself.
     ///
     /// # Errors
@@ -368,7 +391,7 @@ impl Controller {
                 let queued = attached.queued().borrow();
                 let lacks = Lacks::new(queued.name(), queued.facts(), Axes::default());
                 drop(queued);
-                dry_run(lacks, work, (session, options), workspace, operator)
+                dry_run(lacks, work, (session, options), workspace, (operator, &mut ()))
             }
         }
     }
@@ -382,13 +405,13 @@ impl Controller {
     }
 }
 
-/// Looks at a dry run of the work for what a controller lacks.
-pub(super) fn dry_run(
+/// Looks at a dry run of the work for what a controller lacks; requests may end it.
+pub fn dry_run(
     mut lacks: Lacks,
     work: &Work,
     (session, options): (&Session, &RunOptions),
     workspace: &mut Workspace,
-    operator: &mut dyn Operator,
+    (operator, requests): (&mut dyn Operator, &mut dyn Requests),
 ) -> Vec<Diagnostic> {
     let again = match work {
         Work::Part(program) => Work::Part(program.clone()),
@@ -407,7 +430,7 @@ pub(super) fn dry_run(
     let machine = crate::simulated_for(lacks.facts());
     let mut options = RunOptions { started: None, ..options.clone() };
     options.program.preview = true;
-    let context = RunContext { sink: &mut lacks, operator, requests: &mut (), machine };
+    let context = RunContext { sink: &mut lacks, operator, requests, machine };
     drop(session.clone().run(again, options, workspace, context));
     lacks.found()
 }

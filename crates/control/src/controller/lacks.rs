@@ -10,6 +10,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Looks at a dry run of the program.
+#[derive(Clone, Debug)]
 pub struct Lacks {
     name: String,
     facts: Facts,

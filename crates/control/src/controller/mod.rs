@@ -43,7 +43,7 @@ mod zeros;
 pub use attached::{AttachReport, First};
 pub use card::{CardEnd, CardState, CardWish, follow_card};
 pub use connection::Connection;
-pub use either::{Controller, Place};
+pub use either::{Controller, Place, dry_run};
 pub use kept_settings::{STEPS, WrittenSetting, question_in, settings_in};
 pub use lacks::{Lacks, lines, output_name, output_of_name, wired};
 pub use line_file::HEAD;

@@ -241,6 +241,10 @@ fn told(name: &str, ended: Result<CardEnd, String>) -> Result<Exit> {
             eprintln!("kerf: {name} has ended: {why}");
             Exit::Failed
         }
+        CardEnd::Left => {
+            eprintln!("kerf: {name} runs on from the card, and is followed no longer");
+            Exit::Good
+        }
     })
 }
 

@@ -336,7 +336,7 @@ fn workshop(args: &ServeArgs) -> Result<Workshop> {
         args.visit().begins_drawing(&session, &mut workspace, args.draws())?;
     }
     let attached = args.place.machine.controller().map(|name| {
-        let first = First { may_be_locked: true, ..args.first.steps() };
+        let first = First { may_be_locked: true, beside_card: true, ..args.first.steps() };
         Controller::attach(controller::socket(name), first, &mut session, &mut workspace, || false)
     });
     let (controller, told) = attached.transpose().map_err(|why| anyhow!(why))?.unzip();

@@ -1,20 +1,29 @@
 //! The controller that the server drives, where there is one: looked at while nothing runs, and asked before a run whether
 //! it has all that the run needs.
 
+use super::card_run::{CardProgress, CardRun};
+use super::order::CardOrder;
 use super::owner::Owner;
+use super::planned::Planned;
 use super::zeros;
+use crate::controller_card::seconds_of;
 use crate::setup::Workshop;
 use crate::to_wire;
 use kerf_control::AtRest;
 use kerf_control::answers::Answers;
-use kerf_control::controller::{AttachReport, Controller, WrittenSetting, working_reads};
+use kerf_control::controller::{AttachReport, CardEnd, Controller, WrittenSetting, working_reads};
 use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_journal::{RunOptions, Work};
-use kerf_machine::driver::{ToldSetting, Zero, ZeroChange};
+use kerf_machine::driver::{CardJob, CardTask, ToldSetting, Zero, ZeroChange};
 use kerf_machine::{Driven, Errand};
 use kerf_program::{AXES, Axes};
 use kerf_trace::Summary;
-use kerf_wire::{Change, ControllerSetting, Machine, Message, State, Tone};
+use kerf_wire::{
+    Change, ControllerCard, ControllerSetting, CurrentRun, Machine, Message, State, Tone,
+};
+use std::cell::RefCell;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
 
 /// A controller that stands farther from where the machine is believed to be was moved by somebody, mm.
 const MOVED_MM: f64 = 0.01;
@@ -26,6 +35,14 @@ const Z: usize = 2;
 fn set(told: ToldSetting) -> ControllerSetting {
     let ToldSetting { number, value, name, unit, bounds: (least, most), does, own } = told;
     ControllerSetting { number, value, name, unit, least, most, does: does.to_owned(), own }
+}
+
+/// The change by which pages see that the controller has a card, or why it has none; nothing where they see that.
+fn is_card(shown: &ControllerCard, has: Result<(), &str>) -> Option<Change> {
+    let why = has.err().unwrap_or_default();
+    let is_other = shown.has != has.is_ok() || shown.why != why;
+    let card = || ControllerCard { has: has.is_ok(), why: why.to_owned(), ..shown.clone() };
+    is_other.then(|| Change::ControllerCard { controller_card: card() })
 }
 
 /// A zero point as pages show it.
@@ -67,6 +84,7 @@ impl Owner {
         }
         let controller_steps = controller.steps_per_mm();
         let controller_settings: Vec<_> = controller.settings().into_iter().map(set).collect();
+        let card = controller.has_card();
         let zeros: Vec<_> = controller.zeros().into_iter().map(shown).collect();
         let (fault, locked, waits) = (controller.fault(), controller.locked(), controller.waits());
         let wants_tool = controller.driven().borrow_mut().waits_for_tool();
@@ -88,7 +106,8 @@ impl Owner {
             let steps = other.then_some(Change::ControllerSteps { controller_steps });
             let other = now.controller_settings != controller_settings;
             let settings = other.then_some(Change::ControllerSettings { controller_settings });
-            zeros.into_iter().chain(steps).chain(settings).collect()
+            let card = is_card(&now.controller_card, card);
+            zeros.into_iter().chain(steps).chain(settings).chain(card).collect()
         });
         match fault {
             Some(why) if !lost => self.rest(State::Alarm, Some(why)),
@@ -115,6 +134,143 @@ impl Owner {
             let other = machine != now.machine;
             other.then_some(Change::Machine { machine }).into_iter().collect()
         });
+    }
+
+    /// Does something on the card of the controller; a file that is run is followed to its end.
+    pub(super) fn does_on_card(&mut self, order: CardOrder) {
+        self.catch_up();
+        let CardOrder { task, given_up, tells } = order;
+        let runs = matches!(task, CardTask::Run(_));
+        let (hub, link) = (self.hub.clone(), self.link.clone());
+        let mut progress = CardProgress::new(hub);
+        let done = self.reach().and_then(|()| {
+            let missing = "there is no controller that has a card";
+            let controller = self.workshop.controller.as_ref().ok_or(missing)?;
+            let mut goes = |done, all| progress.goes(done, all);
+            // One that begins a file hears a stop when it runs.
+            let mut is_stopped =
+                || !runs && (given_up.load(Ordering::Relaxed) || link.lock().is_to_stop());
+            controller.does_on_card(task, &mut goes, &mut is_stopped)
+        });
+        let begun = runs && done.is_ok();
+        if !begun {
+            self.rest(State::Idle, None);
+            self.attend();
+        }
+        // Nobody waits for it where the server is closing.
+        drop(tells.send(done));
+        if begun {
+            self.follows_card();
+        }
+    }
+
+    /// Follows a file that the controller runs from its own card, and that nobody here has begun.
+    pub(super) fn follow_card(&mut self) {
+        let controller = self.workshop.controller.as_ref();
+        if controller.and_then(Controller::card_job).is_none() {
+            return self.attaches();
+        }
+        let mut follows = false;
+        self.hub.changing(|now| {
+            follows = now.machine.state == State::Idle && self.link.begin(None, None);
+            let machine = Machine { state: State::Running, why: None, ..now.machine.clone() };
+            follows.then_some(Change::Machine { machine }).into_iter().collect()
+        });
+        if follows {
+            self.follows_card();
+        }
+    }
+
+    /// Attaches a controller that ran a file from its card when Kerf began, as soon as that is over.
+    fn attaches(&mut self) {
+        let is_beside = self.workshop.controller.as_ref().is_some_and(Controller::is_beside);
+        let stands = self.hub.read(|now| now.machine.state == State::Idle);
+        if is_beside
+            && stands
+            && let Err(why) = self.reach()
+        {
+            self.rest(State::Alarm, Some(why));
+        }
+    }
+
+    /// Follows a file that the controller runs from its own card to its end.
+    fn follows_card(&mut self) {
+        let Some(controller) = self.workshop.controller.clone() else { return };
+        let Some(CardJob { name, .. }) = controller.card_job() else {
+            return self.rest(State::Idle, None);
+        };
+        let seconds = self.hub.read(|now| seconds_of(now, &name)).unwrap_or_default();
+        let job = CurrentRun { file: name, from_card: true, seconds, ..CurrentRun::default() };
+        let job = self.tell_begun(job, &Planned::default());
+        let frame = self.workshop.session.memory.frame;
+        let run = RefCell::new(CardRun::new(self.hub.clone(), self.link.clone(), frame, &job));
+        self.link.arrived().runs(true);
+        let ended = controller
+            .follows_card(&mut |state| run.borrow_mut().tells(state), &mut || {
+                run.borrow_mut().wish()
+            });
+        self.link.arrived().runs(false);
+        if matches!(ended, Ok(CardEnd::Left)) {
+            return;
+        }
+        self.link.lock().hear_stop();
+        self.card_ended(&controller, job, ended);
+    }
+
+    /// A file that ran from the card is over: tells how, and stands where that has left the machine.
+    fn card_ended(
+        &mut self,
+        controller: &Controller,
+        job: CurrentRun,
+        ended: Result<CardEnd, String>,
+    ) {
+        let name = job.file.clone();
+        let (word, why, is_lost) = match ended {
+            Ok(CardEnd::Ended | CardEnd::Left) => ("ok", None, false),
+            Ok(CardEnd::Stopped) => ("stopped", None, false),
+            Ok(CardEnd::Failed(why)) => {
+                ("failed", Some(format!("{name} from the card has ended: {why}")), false)
+            }
+            Err(why) => ("failed", Some(why), true),
+        };
+        self.hub.ended(CurrentRun { ended: Some(word.into()), ..job });
+        if let Some(why) = &why {
+            self.hub.say(Tone::Error, why.clone());
+        }
+        if is_lost {
+            return self.rest(State::Alarm, why);
+        }
+        self.rest(State::Idle, None);
+        if word == "stopped" {
+            self.hub
+                .say(Tone::Note, format!("{name} ran from the controller's card, and was stopped"));
+        }
+        self.attaches();
+        self.attend();
+        controller.stood_by_card(&mut self.workshop.workspace);
+        let Workshop { session, workspace, kept, .. } = &mut self.workshop;
+        if *kept && let Err(error) = session.keep_place(workspace) {
+            self.hub.say(Tone::Error, format!("where it stands cannot be kept: {error}"));
+        }
+        if word == "stopped" {
+            self.lifts_from_card();
+        }
+        (self.done)(None);
+    }
+
+    /// Lifts the tool to safe Z behind a stop, as behind that of a run: of a machine that is armed, and whose place is known.
+    fn lifts_from_card(&mut self) {
+        let knows = self.workshop.controller.as_ref().is_some_and(|it| it.doubts_place().is_none());
+        let armed = self.hub.read(|now| now.machine.armed && now.machine.state == State::Idle);
+        let Some(up_mm) = self.workshop.session.lift_mm().filter(|_| knows && armed) else {
+            return;
+        };
+        let mut place = [None; AXES];
+        place[Z] = Some(up_mm);
+        let lift = Errand::To { place, relative: false, flat: false };
+        let machine = Arc::new(self.workshop.session.configuration());
+        let driven = self.held(Work::Hand(lift, machine));
+        self.come_to_rest(driven);
     }
 
     /// Ends a file that the controller runs from its own card, and that nobody here has begun.
@@ -185,10 +341,12 @@ impl Owner {
         });
     }
 
-    /// Attaches the controller once more where it was lost or had an alarm.
+    /// Attaches the controller once more where it was lost, had an alarm, or has told nothing of itself yet.
     fn reach(&mut self) -> Result<(), String> {
         let Workshop { controller, session, workspace, .. } = &mut self.workshop;
-        if let Some(controller) = controller.as_mut().filter(|it| it.fault().is_some()) {
+        if let Some(controller) =
+            controller.as_mut().filter(|it| it.is_beside() || it.fault().is_some())
+        {
             let told = controller.attach_again(session, workspace)?;
             self.tell_attached(&told);
         }

@@ -2,6 +2,7 @@
 
 use crate::locks::lock;
 use kerf_control::Session;
+use kerf_control::controller::Lacks;
 use kerf_journal::Journal;
 use kerf_machine::Configuration;
 use kerf_toolpath::{Heights, Shaping};
@@ -19,6 +20,8 @@ pub struct LastState {
     pub journal: Option<Journal>,
     /// Which files lists show.
     pub mask: String,
+    /// What a file for the card of the controller is held against, where it has told that.
+    pub limits: Option<Lacks>,
 }
 
 impl LastState {

@@ -9,6 +9,7 @@
 
 mod arrived;
 mod board;
+mod card_run;
 mod chores;
 mod driven;
 mod last_state;
@@ -26,7 +27,7 @@ mod zeros;
 pub use arrived::Stops;
 pub use last_state::LastState;
 pub use link::Link;
-pub use order::Order;
+pub use order::{CardOrder, Order};
 pub use owner::Owner;
 pub use planned::{Planned, Planning};
 pub use ports::{bits, input_state, ports};

@@ -4,14 +4,27 @@ use super::arrived::Stops;
 use super::planned::Planned;
 use crate::handconsole::Happening;
 use kerf_journal::Work;
-use kerf_machine::driver::ZeroChange;
+use kerf_machine::driver::{CardAnswer, CardTask, ZeroChange};
 use kerf_machine::table::Setting;
 use kerf_machine::{Configuration, Errand};
 use kerf_program::{AXES, Axis};
 use kerf_sbp::FileParameters;
 use kerf_wire::{SettingChange, ToolChange};
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use std::sync::mpsc::Sender;
+
+/// Something that is to be done on the card of the controller.
+#[derive(Debug)]
+pub struct CardOrder {
+    /// The task.
+    pub task: CardTask,
+    /// Ends it before it is done.
+    pub given_up: Arc<AtomicBool>,
+    /// Told how it ended.
+    pub tells: Sender<Result<CardAnswer, String>>,
+}
 
 /// An order that the machine carries out next.
 #[derive(Debug)]
@@ -114,6 +127,8 @@ pub enum Order {
     ToolIn,
     /// Have the controller touch that tool off.
     TouchOff,
+    /// Do something on the card of the controller.
+    Card(CardOrder),
     /// Take this file of heights into force, or the map off.
     HeightMap(Option<String>),
     /// Shift the workpiece.
@@ -178,12 +193,14 @@ impl Order {
             | Self::ToolIn
             | Self::TouchOff
             | Self::Setting { .. }
-            | Self::Nudge(..) => true,
+            | Self::Nudge(..)
+            | Self::Card(CardOrder { task: CardTask::Run(_), .. }) => true,
             Self::Switches
             | Self::HeightMap(_)
             | Self::Tool { .. }
             | Self::ForgetPace
             | Self::Question(_)
+            | Self::Card(_)
             | Self::Folder { .. }
             | Self::Record(_)
             | Self::Watched

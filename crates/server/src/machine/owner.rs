@@ -14,6 +14,7 @@ use crate::hub::Hub;
 use crate::setting_changes::SettingChanges;
 use crate::setup::Workshop;
 use crate::to_wire;
+use kerf_control::controller::Controller;
 use kerf_control::{AtRest, RunContext};
 use kerf_journal::{Journal, JournalError, Live, RunOptions, Work};
 use kerf_machine::{Configuration, Errand, Keypad, hand};
@@ -155,6 +156,7 @@ impl Owner {
                 Order::ForgetPace => self.forget_pace(),
                 Order::ToolIn => self.tool_is_in(),
                 Order::TouchOff => self.touch_off(),
+                Order::Card(order) => self.does_on_card(order),
                 Order::HeightMap(text) => self.take_height_map(text.as_deref()),
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
                 Order::Folder { path, mask } => self.enter(&path, mask.as_deref()),
@@ -191,6 +193,9 @@ impl Owner {
             // Behind the order: what was stopped before it is off before it begins.
             self.stop_at_rest();
             self.attend();
+            if matches!(order, Err(TryRecvError::Empty)) {
+                self.follow_card();
+            }
             let left = most.saturating_sub(begun.elapsed());
             if !matches!(order, Err(TryRecvError::Empty))
                 || left.is_zero()
@@ -234,10 +239,12 @@ impl Owner {
         self.tell_ended(job, driven);
     }
 
-    fn tell_begun(&mut self, job: CurrentRun, planned: &Planned) -> CurrentRun {
+    /// Tells that something begins that pages see as a job.
+    pub(super) fn tell_begun(&mut self, job: CurrentRun, planned: &Planned) -> CurrentRun {
         self.run += 1;
-        let job = CurrentRun { run: self.run, seconds: planned.seconds(), ..job };
-        if job.command.is_none() {
+        let seconds = if job.from_card { job.seconds } else { planned.seconds() };
+        let job = CurrentRun { run: self.run, seconds, ..job };
+        if job.command.is_none() && !job.from_card {
             self.hub.begins(&job);
             self.hub.cleared(false);
             self.hub.moves_on();
@@ -512,12 +519,13 @@ impl Owner {
 
     /// Leaves a copy of the session for previews.
     pub(super) fn leave(&self) {
-        let Workshop { session, workspace, .. } = &self.workshop;
+        let Workshop { session, workspace, controller, .. } = &self.workshop;
         let left = LastState {
             session: session.clone(),
             folder: workspace.part_folder().to_owned(),
             mask: workspace.mask().to_owned(),
             journal: workspace.journal().cloned(),
+            limits: controller.as_ref().and_then(Controller::card_limits),
         };
         *self.left.lock().unwrap_or_else(PoisonError::into_inner) = left;
     }

@@ -124,8 +124,8 @@ impl Preview {
 /// Program files on the disk and their bytes.
 pub type Called = BTreeMap<PathBuf, Arc<[u8]>>;
 
-/// Ends a preview that nobody waits for any more.
-struct Until<'a>(&'a AtomicBool);
+/// Ends a dry run that nobody waits for any more.
+pub struct Until<'a>(pub &'a AtomicBool);
 
 impl Requests for Until<'_> {
     fn take(&mut self, from_s: f64, _: f64) -> Option<(f64, OperatorRequest)> {

@@ -40,7 +40,8 @@ pub fn attached(mut workshop: Workshop, fake: Arc<Mutex<Fake>>) -> Workshop {
     let (name, port) = ("grbl:pretended".into(), "pretended".into());
     let place = Place::Followed(Socket { name, port, opens: Arc::new(opens), log: Arc::default() });
     let Workshop { session, workspace, .. } = &mut workshop;
-    let attached = Controller::attach(place, First::default(), session, workspace, || false);
+    let first = First { beside_card: true, ..First::default() };
+    let attached = Controller::attach(place, first, session, workspace, || false);
     let (controller, told) = attached.unwrap();
     Workshop { controller: Some(controller), told, ..workshop }
 }

@@ -1,7 +1,7 @@
 //! Everything that can be asked of a server: a line of the table each.
 
 use kerf_wire::{
-    Act, ByHand, FileParameters, HeightMapChange, JobChoice, Op, ToolChange, ZeroChange,
+    Act, ByHand, CardAct, FileParameters, HeightMapChange, JobChoice, Op, ToolChange, ZeroChange,
 };
 use serde_json::{Value, json};
 
@@ -65,6 +65,7 @@ fn every() -> Vec<Act> {
         Act::TouchOff { lease },
         Act::ForgetPace { lease },
         Act::ControllerSteps { lease, axis: 'X', steps: 0.0 },
+        Act::ControllerCard { lease, task: CardAct::List },
         Act::HeightMap { lease, change: HeightMapChange::File { name: "none.map".into() } },
         Act::WireLook { lease, port: "none".into() },
         Act::Wire { lease, port: "none".into(), board: None, into: "none".into() },
