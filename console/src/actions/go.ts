@@ -91,6 +91,12 @@ const openControllerSettings: Action = {
       ? undefined
       : t("The machine keeps no settings by number."),
 };
+/** Files that the controller keeps on a card of its own; its sheet says why where there is none. */
+const openControllerCard = sheetAction(
+  { kind: "controllerCard" },
+  t("Card of the controller: list, upload, run, follow"),
+  [],
+);
 /** Opens the lines that were sent to the controller and its answers. */
 const openControllerLines = sheetAction(
   { kind: "controllerLines" },
@@ -186,6 +192,7 @@ export const goActions: readonly Action[] = [
   openPorts,
   openZeros,
   openControllerSettings,
+  openControllerCard,
   openControllerLines,
   openWarmUp,
   openToolTable,

@@ -1,4 +1,5 @@
 import { CommandSheet } from "../command/CommandSheet";
+import { ControllerCardSheet } from "../controllerCard/ControllerCardSheet";
 import { ControllerLinesSheet } from "../controllerLines/ControllerLinesSheet";
 import { ControllerSettingsSheet } from "../controllerSettings/ControllerSettingsSheet";
 import { HeightMapSheet } from "../heightmap/HeightMapSheet";
@@ -76,6 +77,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <ZerosSheet onClose={close} />;
     case "controllerSettings":
       return <ControllerSettingsSheet onClose={close} />;
+    case "controllerCard":
+      return <ControllerCardSheet onClose={close} />;
     case "controllerLines":
       return <ControllerLinesSheet onClose={close} />;
     case "warmUp":

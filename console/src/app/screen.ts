@@ -24,6 +24,7 @@ export type Sheet =
   | { readonly kind: "tools" }
   | { readonly kind: "zeros" }
   | { readonly kind: "controllerSettings" }
+  | { readonly kind: "controllerCard" }
   | { readonly kind: "controllerLines" }
   | { readonly kind: "warmUp" }
   | { readonly kind: "toolTable" }

@@ -43,6 +43,7 @@ export const places: Readonly<Record<string, string>> = {
   "Wire a board": "build-a-controller",
   "Zero points of the controller": "real-controller#in-the-console",
   "Settings of the controller": "real-controller#in-the-console",
+  "Card of the controller": "real-controller#the-card-of-the-controller",
   "Spindle warm-up": "machine#spindle-warm-up",
   "Console of the controller": "real-controller#what-was-sent-and-answered",
   "Move the tool to": "console#jobs",

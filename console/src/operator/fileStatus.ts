@@ -62,6 +62,9 @@ const running: Partial<Record<State, string>> = {
   stopped: t("stopped, waits"),
 };
 
+const runsText = ({ fromCard }: CurrentRun): string =>
+  fromCard ? t("runs from the controller's card") : t("running");
+
 /** How a run ended that belongs to no open file. */
 const outcomes: Record<string, string> = {
   ok: t("finished"),
@@ -73,7 +76,7 @@ const outcomes: Record<string, string> = {
 export function fileStatus(told: Told, now = new Date()): FileStatus {
   const { opened, job, machine, interrupted } = told;
   if (isUnderWay(job)) {
-    return plain(`${running[machine.state] ?? t("running")}${toolText(told)}`);
+    return plain(`${running[machine.state] ?? runsText(job)}${toolText(told)}`);
   }
   if (!opened) return plain(job?.ended ? (outcomes[job.ended] ?? job.ended) : "");
   if (opened.kind === "drawing") return plain(t("no tool path yet"));
@@ -170,7 +173,7 @@ export function progressOf(told: Told): RunProgress {
     const known = job.seconds > 0;
     return {
       name: isOpenFile(told) ? name : (ran ?? name),
-      part: known ? motion.progress : undefined,
+      part: known || job.fromCard ? motion.progress : undefined,
       words: "left",
       seconds: known ? motion.remaining : undefined,
       spent: t("so far {0}", durationText(motion.elapsed)),

@@ -218,6 +218,12 @@ axis: string,
 /** Steps of a millimetre. */
 steps: number, };
 
+export type ActControllerCard = { "do": "controllerCard",
+/** Number of the lease. */
+lease: number,
+/** The request. */
+task: CardAct, };
+
 export type ActHeightMap = { "do": "heightMap",
 /** Number of the lease. */
 lease: number,
@@ -322,6 +328,7 @@ export type Act =
   | ActToolIn
   | ActForgetPace
   | ActControllerSteps
+  | ActControllerCard
   | ActHeightMap
   | ActWireLook
   | ActWire
@@ -446,6 +453,76 @@ file: string,
 /** The line that is read next. */
 line: number, };
 
+export type CardActList = { "to": "list" };
+
+export type CardActLook = { "to": "look",
+/** Its name. */
+name: string, };
+
+export type CardActUpload = { "to": "upload",
+/** The file. */
+file: string,
+/** A file of that name is written over. */
+replaces: boolean, };
+
+export type CardActRun = { "to": "run",
+/** Its name. */
+name: string,
+/** Also where its text could not be read back. */
+unseen: boolean, };
+
+export type CardActDelete = { "to": "delete",
+/** Its name. */
+name: string, };
+
+export type CardActKeep = { "to": "keep",
+/** Its name. */
+name: string,
+/** A file of that name is written over. */
+replaces: boolean, };
+
+export type CardActCancel = { "to": "cancel" };
+
+/** A request about the card. */
+export type CardAct =
+  | CardActList
+  | CardActLook
+  | CardActUpload
+  | CardActRun
+  | CardActDelete
+  | CardActKeep
+  | CardActCancel;
+
+/** A file on the card. */
+export type CardFile = {
+/** Its name, with the folders before it. */
+name: string,
+/** Its size, bytes. */
+bytes: number,
+/** Outcome of the look through it; nothing where its text is not known. */
+looked: CardLook | null, };
+
+/** Outcome of a look through a file of the card: it is within the limits of the controller. */
+export type CardLook = {
+/** Time that the controller is estimated to take, seconds. */
+seconds: Seconds,
+/** Warnings: what it does otherwise than the file says. */
+warnings: Array<string>, };
+
+/** A task on the card. */
+export type CardTask = {
+/** Its kind. */
+kind: CardTaskKind,
+/** The file that it is about; empty where it is none. */
+name: string,
+/** Bytes that are there. */
+done: number,
+/** Bytes in all; 0 where that is not known. */
+all: number, };
+
+/** Kind of a task on the card. */
+export type CardTaskKind = "list" | "look" | "upload" | "run" | "delete" | "keep";
+
 export type ChangeMachine = { "change": "machine", machine: Machine, };
 
 export type ChangeMotion = { "change": "motion", motion: Motion, };
@@ -479,6 +556,8 @@ export type ChangeZeros = { "change": "zeros", zeros: Array<Zero>, };
 export type ChangeControllerSteps = { "change": "controllerSteps", controllerSteps: Array<number>, };
 
 export type ChangeControllerSettings = { "change": "controllerSettings", controllerSettings: Array<ControllerSetting>, };
+
+export type ChangeControllerCard = { "change": "controllerCard", controllerCard: ControllerCard, };
 
 export type ChangeTools = { "change": "tools", tools: ToolTable, };
 
@@ -537,6 +616,7 @@ export type Change =
   | ChangeZeros
   | ChangeControllerSteps
   | ChangeControllerSettings
+  | ChangeControllerCard
   | ChangeTools
   | ChangeTogether
   | ChangeHeightMap
@@ -597,6 +677,25 @@ detail: string,
 /** Description of its effect. */
 doc: string, };
 
+/** The card of the controller, as far as it is known. */
+export type ControllerCard = {
+/** There is one. */
+has: boolean,
+/** Reason why there is none; empty of a machine without a controller. */
+why: string,
+/** Its files as they were listed last; nothing before that. */
+files: Array<CardFile> | null,
+/** The task under way. */
+task: CardTask | null,
+/** Reasons why the last task was not done, each with its place and how it is mended. */
+refused: Array<string>,
+/** Name of the file that the last task would have written over. */
+replaces: string | null,
+/** Name of the file whose text the last task could not read back: it may be run unseen. */
+unread: string | null,
+/** Notes of the last task: what a conversion left out or made otherwise. */
+notes: Array<string>, };
+
 /** A line that was sent or came. */
 export type ControllerLine = {
 /** Its number; they count up. */
@@ -652,6 +751,8 @@ file: string,
 hash: string | null,
 /** The command line, when somebody typed it. */
 command: string | null,
+/** The controller runs the file from a card of its own. */
+fromCard: boolean,
 /** Planned time, seconds; 0 when it is not known. */
 seconds: Seconds,
 /** It began in preview on a machine that nobody armed: it is only drawn to its end. */
@@ -1748,6 +1849,8 @@ zeros: Array<Zero>,
 controllerSteps: Array<number>,
 /** Settings that the controller keeps by number, in their order; none of a machine without such. */
 controllerSettings: Array<ControllerSetting>,
+/** The card of the controller, whose files it runs by itself. */
+controllerCard: ControllerCard,
 /** The tools by their numbers. */
 tools: ToolTable,
 /** The height map that programs follow; nothing where surfaces are flat. */

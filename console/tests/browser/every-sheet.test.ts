@@ -46,6 +46,7 @@ const sheets: Readonly<Record<string, string>> = {
   tuning: "Steps per millimetre and squareness, from what was measured",
   wiring: "Wire a board of a printer",
   zeros: "Zero points of the controller: G54 to G59.3",
+  controllerCard: "Card of the controller: list, upload, run, follow",
   controllerLines: "Console of the controller: what is sent and answered",
   warmUp: "Spindle warm-up: steps of speed and time",
   controllerSettings: "Settings of the controller: see, change, back up, compare",

@@ -29,6 +29,7 @@ const running: Partial<Snapshot> = {
     file: "first-cut.sbp",
     hash: "abc",
     command: null,
+    fromCard: false,
     seconds: seconds(31.4),
     calls: [{ file: "first-cut.sbp", line: 14 }],
     drawsOnly: false,

@@ -6,10 +6,10 @@
 //! kerf run box.sbp --machine grbl:/dev/pts/4
 //! ```
 //!
-//! Settings are arguments: `20=1 22=1`; `hal` makes it one of grblHAL. Lines on standard input work it: `limit` hits a limit switch,
+//! Settings are arguments: `20=1 22=1`; `hal` makes it one of grblHAL, `card` one with a card. Lines on standard input work it: `limit` hits a limit switch,
 //! `pins PD` closes switches, `block X Y Z X Y Z`, `bore X Y RADIUS` and `plate Z RISE RISE` are things that its
-//! probe feels until `nothing`, `pendant G55` sends it a line, `tool` has it change the tool by itself, `setting 100` and
-//! `where` tell a setting and where it stands, an end of the input unplugs it.
+//! probe feels until `nothing`, `pendant G55` sends it a line, `tool` has it change the tool by itself, `file NAME LINE|LINE` puts a file on its
+//! card, `runs NAME` has it run one, `card` tells their names, `setting 100` and `where` tell a setting and where it stands, an end of the input unplugs it.
 #![allow(clippy::print_stdout)]
 
 #[cfg(unix)]
@@ -39,8 +39,12 @@ mod unix {
         std::thread::spawn(move || {
             stdin().lines().map_while(Result::ok).try_for_each(|l| said.send(l))
         });
-        let is_hal = std::env::args().any(|word| word == "hal");
-        let board = if is_hal { Board::hal(0) } else { Board::grbl() };
+        let is = |kind: &str| std::env::args().any(|word| word == kind);
+        let board = match (is("card"), is("hal")) {
+            (true, _) => Board::hal_with_card(&[]),
+            (false, true) => Board::hal(0),
+            (false, false) => Board::grbl(),
+        };
         play(plug, Fake::of(board, &settings), &says);
     }
 
@@ -103,9 +107,19 @@ mod unix {
             ("setting", number) => {
                 println!("{}", fake.is_set_to(number.parse().unwrap_or_default()));
             }
+            ("file", file) => {
+                let (name, lines) = file.split_once(' ').unwrap_or((file, ""));
+                let content = format!("{}\n", lines.replace('|', "\n")).into_bytes();
+                fake.card().files.insert(name.to_owned(), content);
+            }
+            ("runs", name) => println!("{}", fake.runs_from_card(name)),
+            ("card", _) => {
+                let names: Vec<_> = fake.card().files.keys().cloned().collect();
+                println!("{}", names.join(" "));
+            }
             ("lines", _) => fake.lines.iter().for_each(|line| println!("{line}")),
             _ => println!(
-                "limit, pins PXYZD, block, bore, plate, nothing, pendant LINE, tool, setting N, where, lines"
+                "limit, pins PXYZD, block, bore, plate, nothing, pendant LINE, tool, file NAME LINE|LINE, runs NAME, card, setting N, where, lines"
             ),
         }
     }

@@ -74,7 +74,7 @@ impl First {
     /// The same for whoever attaches the controller.
     pub fn steps(self) -> kerf_control::controller::First {
         let Self { home, unlock, looks } = self;
-        kerf_control::controller::First { home, unlock, may_be_locked: looks }
+        kerf_control::controller::First { home, unlock, may_be_locked: looks, beside_card: false }
     }
 
     /// Returns the option that was given.

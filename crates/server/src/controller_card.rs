@@ -5,6 +5,7 @@
 
 use crate::asker::Asker;
 use crate::hub::Hub;
+use crate::kind::kind_of;
 use crate::loader::Loader;
 use crate::locks::lock;
 use crate::machine::Order;
@@ -15,15 +16,15 @@ use crate::refusal::problem;
 use crate::saving::Leave;
 use kerf_control::answers::Answers;
 use kerf_control::controller::dry_run;
-use kerf_diag::Diagnostic;
 use kerf_import::card_file;
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::driver;
 use kerf_machine::driver::CardAnswer;
 use kerf_wire::{
-    CardAct, CardFile, CardLook, CardTask, CardTaskKind, Change, ControllerCard, Finding, Level,
-    Problem, Snapshot, State, Why,
+    CardAct, CardFile, CardLook, CardTask, CardTaskKind, Change, ControllerCard, FileKind, Finding,
+    Level, Problem, Snapshot, State, Why,
 };
+use kerf_workspace::Workspace;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::channel;
@@ -60,11 +61,13 @@ struct Refused {
     why: Vec<String>,
     /// The file that it would have written over.
     replaces: Option<String>,
+    /// The file that it could not read back.
+    unread: Option<String>,
 }
 
 impl From<String> for Refused {
     fn from(why: String) -> Self {
-        Self { why: vec![why], replaces: None }
+        Self { why: vec![why], ..Self::default() }
     }
 }
 
@@ -133,6 +136,7 @@ impl CardDesk {
                 task: Some(task_of(now, act)),
                 refused: Vec::new(),
                 replaces: None,
+                unread: None,
                 notes: Vec::new(),
                 ..now.controller_card.clone()
             };
@@ -160,8 +164,12 @@ fn may_begin(now: &Snapshot, act: &CardAct) -> Result<(), Problem> {
         return refused("the machine is busy");
     }
     match act {
-        CardAct::Run { name, unseen: false } if seconds_of(now, name).is_none() => {
-            refused("the file was not looked through: look through it first, or run it unseen")
+        CardAct::Run { name, unseen } if seconds_of(now, name).is_none() => {
+            let is_unread = card.unread.as_ref() == Some(name);
+            match is_unread && *unseen {
+                true => Ok(()),
+                false => refused("the file was not looked through: look through it first"),
+            }
         }
         _ => Ok(()),
     }
@@ -184,10 +192,10 @@ fn task_of(now: &Snapshot, act: &CardAct) -> CardTask {
 }
 
 /// A task is over.
-fn ends(hub: &Hub, Refused { why, replaces }: Refused) {
+fn ends(hub: &Hub, Refused { why, replaces, unread }: Refused) {
     hub.changing(|now| {
         let card = now.controller_card.clone();
-        let card = ControllerCard { task: None, refused: why, replaces, ..card };
+        let card = ControllerCard { task: None, refused: why, replaces, unread, ..card };
         vec![Change::ControllerCard { controller_card: card }]
     });
 }
@@ -197,7 +205,7 @@ impl Task {
         match act {
             CardAct::List => Ok(self.lists()?),
             CardAct::Look { name } => {
-                let text = self.asks(driver::CardTask::Show(name.clone()))?.text;
+                let text = self.reads(&name)?;
                 let looked = self.looks_through(&name, text.as_bytes())?;
                 self.lists()?;
                 self.has_looked(&name, None, looked);
@@ -226,6 +234,17 @@ impl Task {
         let order = Order::Card(CardOrder { task, given_up: self.given_up.clone(), tells });
         self.orders.order_of(&self.asker, order).map_err(|why| why.text)?;
         told.recv().map_err(|_| "Kerf ends".to_owned())?
+    }
+
+    /// Reads the text of a file back.
+    fn reads(&self, name: &str) -> Result<String, Refused> {
+        let told = self.asks(driver::CardTask::Show(name.to_owned()));
+        let unread = || (!self.given_up.load(Ordering::Relaxed)).then(|| name.to_owned());
+        told.map(|answer| answer.text).map_err(|why| Refused {
+            why: vec![why],
+            unread: unread(),
+            replaces: None,
+        })
     }
 
     /// Lists the files; what was found out of one that is the same by name and size stays.
@@ -263,10 +282,14 @@ impl Task {
     fn uploads(&self, file: &str, replaces: bool) -> Result<(), Refused> {
         let folder = &self.loader.files.folder;
         let (bytes, path) = (folder.read(file)?, folder.find(file)?);
-        let mut workspace = (self.loader.builders.preview)().map_err(|why| why.to_string())?;
+        let mut workspace = self.files()?;
         let session = lock(&self.left).session.clone();
         let (settings, machine) = (session.memory.settings.clone(), session.configuration());
         let path = path.display().to_string();
+        // What is wrong with a part file is told at its own lines, not at those of its G-code.
+        if kind_of(file) == FileKind::Program {
+            self.lacks(kerf_part::read(path.as_str().into(), bytes.clone()).into())?;
+        }
         let made = card_file::for_card(&path, &bytes, (&settings, &machine), &mut workspace)
             .map_err(|why| folder.named_in(&why))?;
         let card_file::CardFile { name, content, notes } = made;
@@ -278,7 +301,7 @@ impl Task {
         };
         if !replaces && self.hub.read(is_there) {
             let why = vec![format!("{name} is on the card already")];
-            return Err(Refused { why, replaces: Some(name) });
+            return Err(Refused { why, replaces: Some(name), unread: None });
         }
         let size = content.len() as u64;
         self.asks(driver::CardTask::Upload { name: name.clone(), content })?;
@@ -300,9 +323,9 @@ impl Task {
         let files = &self.loader.files;
         if !replaces && files.folder.present(&bare)?.is_some() {
             let why = vec![format!("{bare} is in the part folder already")];
-            return Err(Refused { why, replaces: Some(bare.into_owned()) });
+            return Err(Refused { why, replaces: Some(bare.into_owned()), unread: None });
         }
-        let text = self.asks(driver::CardTask::Show(name.to_owned()))?.text;
+        let text = self.reads(name)?;
         let leave = if replaces { Leave::Anything } else { Leave::Nothing };
         files.save(&bare, text.as_bytes(), &leave)?;
         Ok(())
@@ -310,50 +333,58 @@ impl Task {
 
     /// Holds G-code against the limits of the controller, and estimates its time.
     fn looks_through(&self, name: &str, content: &[u8]) -> Result<CardLook, Refused> {
+        let read =
+            || kerf_part::read_as(name.into(), content.to_vec(), kerf_sbp::Dialect::default());
+        let mut warnings = self.lacks(read().into())?;
+        let session = lock(&self.left).session.clone();
+        let parameters = kerf_sbp::FileParameters::default();
+        let work = read().into();
+        let made = preview::make(work, parameters, session, &mut self.files()?, &self.given_up);
+        let made = made.ok_or_else(|| GIVEN_UP.to_owned())?;
+        let found = made.findings.iter();
+        let found = found.filter(|it| matches!(it.level, Level::Error | Level::Warning));
+        warnings.extend(sound(found.map(|it| {
+            let Finding { level, file, line, message, hint, .. } = it;
+            (*level == Level::Error, placed((file, *line), message, hint))
+        }))?);
+        Ok(CardLook { seconds: made.info.seconds, warnings })
+    }
+
+    /// Holds a part file or a job against the limits of the controller; returns what it does otherwise.
+    fn lacks(&self, work: Work) -> Result<Vec<String>, Refused> {
         let (session, limits) = {
             let left = lock(&self.left);
             (left.session.clone(), left.limits.clone())
         };
         let limits =
             limits.ok_or_else(|| "the controller has not told its limits yet".to_owned())?;
-        let read =
-            || kerf_part::read_as(name.into(), content.to_vec(), kerf_sbp::Dialect::default());
-        let files = || (self.loader.builders.preview)().map_err(|why| why.to_string());
-        let options = RunOptions::default();
-        let mut asked = (Answers::default(), Until(&self.given_up));
-        let lent = (&mut asked.0 as _, &mut asked.1 as _);
-        let lacks = dry_run(limits, &Work::from(read()), (&session, &options), &mut files()?, lent);
-        let parameters = kerf_sbp::FileParameters::default();
-        let made = preview::make(read().into(), parameters, session, &mut files()?, &self.given_up);
-        let made = made.ok_or_else(|| GIVEN_UP.to_owned())?;
-        let mut told: Vec<(bool, String)> = lacks.iter().map(of_diagnostic).collect();
-        told.extend(made.findings.iter().filter_map(of_finding));
-        let (wrong, warnings): (Vec<_>, Vec<_>) = told.into_iter().partition(|(error, _)| *error);
-        let [wrong, warnings] =
-            [wrong, warnings].map(|told| told.into_iter().map(|(_, text)| text));
-        if wrong.len() > 0 {
-            return Err(Refused { why: wrong.collect(), replaces: None });
-        }
-        Ok(CardLook { seconds: made.info.seconds, warnings: warnings.collect() })
+        let (mut answers, mut until) = (Answers::default(), Until(&self.given_up));
+        let (options, mut files) = (RunOptions::default(), self.files()?);
+        let lent = (&mut answers as _, &mut until as _);
+        let found = dry_run(limits, &work, (&session, &options), &mut files, lent);
+        let folder = &self.loader.files.folder;
+        sound(found.iter().map(|it| {
+            let file = folder.name_of(&it.place.file);
+            (it.is_error(), placed((&file, it.place.line), &it.message, &it.hint))
+        }))
+    }
+
+    /// The files of a dry run, which changes none.
+    fn files(&self) -> Result<Workspace, String> {
+        (self.loader.builders.preview)().map_err(|why| why.to_string())
     }
 }
 
-/// A sentence with its place, and whether it is an error.
-fn of_diagnostic(found: &Diagnostic) -> (bool, String) {
-    let at = &found.place;
-    (found.is_error(), placed((&at.file, at.line), &found.message, &found.hint))
+/// Returns the warnings of what was found, where none of it is an error.
+fn sound(found: impl Iterator<Item = (bool, String)>) -> Result<Vec<String>, Refused> {
+    let (why, warnings): (Vec<_>, Vec<_>) = found.partition(|(is_error, _)| *is_error);
+    let [why, warnings] =
+        [why, warnings].map(|all| all.into_iter().map(|(_, text)| text).collect());
+    let why: Vec<String> = why;
+    if why.is_empty() { Ok(warnings) } else { Err(Refused { why, ..Refused::default() }) }
 }
 
-/// The same of a finding; notes are none.
-fn of_finding(found: &Finding) -> Option<(bool, String)> {
-    let is_error = match found.level {
-        Level::Error => true,
-        Level::Warning => false,
-        _ => return None,
-    };
-    Some((is_error, placed((&found.file, found.line), &found.message, &found.hint)))
-}
-
+/// A sentence with its place.
 fn placed((file, line): (&str, u32), message: &str, hint: &str) -> String {
     let place = if line > 0 { format!("{file}:{line}: ") } else { String::new() };
     let hint = if hint.is_empty() { String::new() } else { format!("; {hint}") };

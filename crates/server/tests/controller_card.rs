@@ -108,7 +108,11 @@ fn a_file_of_the_card_is_listed_looked_through_run_held_and_stopped() {
 fn a_file_of_the_card_runs_to_its_end() {
     let mut carded = shop(&[("short.nc", "G21\nG1 X4 F3000\nM30\n")], Vec::new());
     carded.does(json!({ "to": "list" }));
-    carded.does(json!({ "to": "run", "name": "short.nc", "unseen": true }));
+    let unseen = json!({ "to": "run", "name": "short.nc", "unseen": true });
+    let refused = carded.ask(unseen).unwrap();
+    assert!(refused.contains("was not looked through"), "its text can be read: {refused}");
+    carded.does(json!({ "to": "look", "name": "short.nc" }));
+    carded.does(json!({ "to": "run", "name": "short.nc" }));
     carded.page.until("it is over", |page| page.shown["job"]["ended"] == "ok");
     carded.page.until_state("idle");
     carded.page.until("its place is told", |page| (crate::support::at(page)[0] - 4.0).abs() < 0.01);
@@ -125,7 +129,7 @@ fn a_file_beyond_the_limits_is_not_put_on_the_card_and_the_reason_has_its_line()
     let mut carded = Carded::of(Arc::new(Mutex::new(fake)), files);
     carded.does(json!({ "to": "upload", "file": "far.sbp" }));
     let why = carded.card()["refused"][0].as_str().unwrap();
-    assert!(why.starts_with("far.nc:") && why.contains("X would go to -25374.6"), "{why}");
+    assert!(why.starts_with("far.sbp:3: ") && why.contains("X would go to -25374.6"), "{why}");
     assert!(carded.fake.lock().unwrap().card().files.is_empty());
 
     carded.does(json!({ "to": "upload", "file": "box.sbp" }));

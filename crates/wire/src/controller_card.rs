@@ -20,6 +20,8 @@ pub struct ControllerCard {
     pub refused: Vec<String>,
     /// Name of the file that the last task would have written over.
     pub replaces: Option<String>,
+    /// Name of the file whose text the last task could not read back: it may be run unseen.
+    pub unread: Option<String>,
     /// Notes of the last task: what a conversion left out or made otherwise.
     pub notes: Vec<String>,
 }
@@ -105,7 +107,7 @@ pub enum CardAct {
     Run {
         /// Its name.
         name: String,
-        /// Also where it was not looked through.
+        /// Also where its text could not be read back.
         #[serde(default)]
         unseen: bool,
     },

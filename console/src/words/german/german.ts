@@ -1,6 +1,7 @@
 /** The texts of the console in German, by their English ones. Numbers and commands stay as they are. */
 
 import { actions } from "./actions";
+import { controllerCard } from "./controllerCard";
 import { controllerLines } from "./controllerLines";
 import { controllerSettings } from "./controllerSettings";
 import { digitizing } from "./digitizing";
@@ -26,6 +27,7 @@ export const german: Readonly<Record<string, string>> = {
   ...shared,
   ...tools,
   ...controllerLines,
+  ...controllerCard,
   ...controllerSettings,
   ...toolTable,
   ...warmUp,

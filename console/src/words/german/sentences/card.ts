@@ -41,5 +41,23 @@ export const cardSentences: Readonly<Record<string, string>> = {
     "zu viel ging auf dem Weg verloren: das Kabel prüfen",
   "{0} is no part file: .nc .tap .ngc .gcode .sbp and .rsm go on a card":
     "{0} ist keine Teiledatei: .nc .tap .ngc .gcode .sbp und .rsm gehen auf eine Karte",
+  "it was given up before it was done": "es wurde aufgegeben, bevor es fertig war",
+  "this machine has no controller with a card":
+    "diese Maschine hat keine Steuerung mit einer Karte",
+  "something is done on the card already: wait for its end, or cancel it":
+    "auf der Karte geschieht schon etwas: das Ende abwarten, oder es abbrechen",
+  "the file was not looked through: look through it first":
+    "die Datei wurde nicht durchgesehen: sie zuerst durchsehen",
+  "Kerf ends": "Kerf endet",
+  "{0} is on the card already": "{0} ist schon auf der Karte",
+  "{0} is in the part folder already": "{0} ist schon im Teileordner",
+  "the controller has not told its limits yet": "die Steuerung hat ihre Grenzen noch nicht genannt",
+  "the line to the controller is lost and is opened again; the file goes on without it":
+    "die Leitung zur Steuerung ist abgerissen und wird wieder geöffnet; die Datei geht ohne sie weiter",
+  "there is no controller that has a card": "es gibt keine Steuerung, die eine Karte hat",
+  "{0} from the card has ended: {1}": "{0} von der Karte hat geendet: {1}",
+  "where it stands cannot be kept: {0}": "wo sie steht, lässt sich nicht aufheben: {0}",
+  "{0} runs {1} from its own card: it is followed":
+    "{0} führt {1} von ihrer eigenen Karte aus: das wird verfolgt",
   "{0} cannot be said in G-code": "{0} lässt sich nicht in G-Code sagen",
 };
