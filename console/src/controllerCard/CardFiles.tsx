@@ -33,7 +33,7 @@ export function CardFiles({ files, refused, ask, asks }: CardFilesProps) {
               aria-label={t("Run {0}…", file.name)}
               onPress={() => ask({ to: "run", name: file.name })}
             >
-              Run…
+              Run
             </Button>
             <Button
               size="small"
@@ -49,7 +49,7 @@ export function CardFiles({ files, refused, ask, asks }: CardFilesProps) {
               aria-label={t("Copy {0} into the part folder", file.name)}
               onPress={() => asks({ to: "keep", name: file.name, replaces: false })}
             >
-              Copy here
+              Copy
             </Button>
             <Button
               size="small"
@@ -57,7 +57,7 @@ export function CardFiles({ files, refused, ask, asks }: CardFilesProps) {
               aria-label={t("Delete {0}…", file.name)}
               onPress={() => ask({ to: "delete", name: file.name })}
             >
-              Delete…
+              Delete
             </Button>
           </div>
         </li>

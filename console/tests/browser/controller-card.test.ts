@@ -54,7 +54,7 @@ async function put(name: string): Promise<void> {
 it("lists the files with their sizes", async () => {
   await press("List the files");
   await sheet().getByText("long.nc").waitFor();
-  await sheet().getByText("1 file, 40 B.").waitFor();
+  await sheet().getByText("1 file, 37 B.").waitFor();
   await stands();
   expect(await violations(page)).toEqual([]);
 });
@@ -79,7 +79,6 @@ it("gives an upload up where it is cancelled, and at STOP", async () => {
   for (const ends of ["Cancel", "STOP"]) {
     await put("wide.nc");
     await sheet().getByRole("progressbar", { name: "Progress of the task" }).waitFor();
-    if (ends === "Cancel") await shot("upload");
     await page.getByRole("button", { name: ends, exact: true }).first().click();
     await sheet().getByRole("alert").filter({ hasText: "it was stopped" }).waitFor();
     await stands();
@@ -91,9 +90,10 @@ it("gives an upload up where it is cancelled, and at STOP", async () => {
 it("asks before a file is run, which the machine has to be armed for", async () => {
   await press("Run long.nc…");
   const question = sheet().getByRole("region", { name: "Run long.nc?" });
+  await question.waitFor();
   await question.getByText(/It takes about 0:4\d/).waitFor();
   await question.getByText(/by itself, from where it stands, at its zero point G54/).waitFor();
-  expect(await question.getByRole("button", { name: "Run it" }).isDisabled()).toBe(true);
+  expect(await question.getByRole("button", { name: "Run it", exact: true }).isDisabled()).toBe(true);
   await shot("question");
   expect(await violations(page)).toEqual([]);
   await page.keyboard.press("Escape");
@@ -164,7 +164,7 @@ it("deletes a file behind a question", async () => {
   await press("Leave it there");
   await press("Delete box.nc…");
   await press("Delete it");
-  await sheet().getByText("box.nc").waitFor({ state: "detached" });
+  await sheet().getByText("box.nc", { exact: true }).waitFor({ state: "detached" });
   controller.work("card");
   expect(await controller.line()).toBe("long.nc panel.nc");
 });

@@ -27,14 +27,11 @@ export const controllerCard: Readonly<Record<string, string>> = {
   "{0} % of it is read; the time left is unknown: its text was not looked through":
     "{0} % davon sind gelesen; wie lange noch, ist unbekannt: ihr Text wurde nicht durchgesehen",
   "Run {0}…": "{0} ausführen…",
-  "Run…": "Ausführen…",
   "It was looked through.": "Sie wurde durchgesehen.",
   "Look through {0}": "{0} durchsehen",
   "Look through": "Durchsehen",
   "Copy {0} into the part folder": "{0} in den Teileordner kopieren",
-  "Copy here": "Hierher kopieren",
   "Delete {0}…": "{0} löschen…",
-  "Delete…": "Löschen…",
   "Delete {0}?": "{0} löschen?",
   "It is taken off the card, and is in no bin.":
     "Sie kommt von der Karte und liegt in keinem Papierkorb.",
