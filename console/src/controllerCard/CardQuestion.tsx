@@ -44,10 +44,12 @@ export function CardQuestion(props: CardQuestionProps) {
 }
 
 /** Asks whether everything is ready, once the file was looked through. */
-function RunQuestion({ card, question: { name }, asks, onClose }: CardQuestionProps) {
+function RunQuestion({ card, question: { name }, ...props }: CardQuestionProps) {
+  const { asks, onClose } = props;
   const words = useWords();
   const { link, screen } = useHands();
-  const refused = useShown((shown) => unlessReady({ shown, link, screen }));
+  const unready = useShown((shown) => unlessReady({ shown, link, screen }));
+  const refused = props.refused ?? unready;
   const machine = useSnapshot("machine")?.name ?? "";
   const zero = (useSnapshot("zeros") ?? []).find(
     ({ name, holds }) => holds && name.startsWith("G5"),

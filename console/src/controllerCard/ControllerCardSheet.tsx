@@ -44,7 +44,9 @@ interface CardProps {
 function Card({ card, onClose }: CardProps) {
   const hands = useHands();
   const { link, screen } = hands;
-  const refused = useShown((shown) => whenIdle({ shown, link, screen }));
+  const busy = useShown((shown) => whenIdle({ shown, link, screen }));
+  // Between two steps of a task the machine stands for a moment.
+  const refused = card.task ? t("Something is done on the card.") : busy;
   const runs = useSnapshot("job") ?? null;
   const [question, setQuestion] = useState<Question>();
   const [last, setLast] = useState<CardAct>();

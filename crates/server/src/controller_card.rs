@@ -31,6 +31,9 @@ use std::sync::mpsc::channel;
 use std::sync::{Arc, Mutex};
 use std::thread::Builder;
 
+/// Reasons that are told of a file that is refused, at most.
+const MOST_TOLD: usize = 12;
+
 /// Said where a task was given up.
 const GIVEN_UP: &str = "it was given up before it was done";
 
@@ -380,7 +383,10 @@ fn sound(found: impl Iterator<Item = (bool, String)>) -> Result<Vec<String>, Ref
     let (why, warnings): (Vec<_>, Vec<_>) = found.partition(|(is_error, _)| *is_error);
     let [why, warnings] =
         [why, warnings].map(|all| all.into_iter().map(|(_, text)| text).collect());
-    let why: Vec<String> = why;
+    let mut why: Vec<String> = why;
+    let more = why.len().saturating_sub(MOST_TOLD);
+    why.truncate(MOST_TOLD);
+    why.extend((more > 0).then(|| format!("{more} more are wrong in the same file")));
     if why.is_empty() { Ok(warnings) } else { Err(Refused { why, ..Refused::default() }) }
 }
 

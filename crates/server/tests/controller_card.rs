@@ -180,6 +180,38 @@ fn stop_and_cancel_are_heard_while_a_file_is_on_its_way() {
 }
 
 #[test]
+fn a_file_of_the_card_goes_on_when_the_server_ends() {
+    let mut carded = shop(&[("long.nc", LONG)], Vec::new());
+    carded.does(json!({ "to": "list" }));
+    carded.does(json!({ "to": "look", "name": "long.nc" }));
+    assert_eq!(carded.ask(json!({ "to": "run", "name": "long.nc" })), None);
+    let fake = carded.fake.clone();
+    carded.page.until("it moves", |_| fake.lock().unwrap().position().0[0] > 2.0);
+    carded.shop.server.wait(|| true);
+    drop(carded);
+    // Nobody speaks for it any more: its time passes by these looks.
+    let mut fake = fake.lock().unwrap();
+    drop(fake.speak(60.0));
+    assert_eq!(fake.spindle(), Some(9000.0));
+    assert!(fake.position().0[0].abs() < 0.01, "it has made all of it: {:?}", fake.position());
+}
+
+#[test]
+fn a_file_that_is_wrong_everywhere_is_refused_in_a_few_lines() {
+    let moves: String = (900..990).map(|x| format!("MX,-{x}\n")).collect();
+    let limits = [(20, 1.0), (130, 400.0), (131, 400.0), (132, 400.0)];
+    let fake = Arc::new(Mutex::new(Fake::of(Board::hal_with_card(&[]), &limits)));
+    let mut carded = Carded::of(fake, Vec::new());
+    carded.shop.write("far.sbp", moves.as_bytes());
+    carded.does(json!({ "to": "upload", "file": "far.sbp" }));
+    let refused = carded.card()["refused"].as_array().unwrap().clone();
+    assert_eq!(refused.len(), 13, "{refused:?}");
+    assert_eq!(refused[12], "78 more are wrong in the same file");
+    let why = refused[0].as_str().unwrap();
+    assert!(why.ends_with("; change the file, or where its zero lies"), "{why}");
+}
+
+#[test]
 fn a_server_that_begins_while_a_file_runs_follows_it_and_stop_ends_it() {
     let fake = Arc::new(Mutex::new(Fake::of(Board::hal_with_card(&[("long.nc", LONG)]), &[])));
     assert!(fake.lock().unwrap().runs_from_card("long.nc"));

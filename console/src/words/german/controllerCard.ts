@@ -8,6 +8,7 @@ export const controllerCard: Readonly<Record<string, string>> = {
     "Diese Maschine hat keine Steuerung mit einer eigenen Karte.",
   "The controller keeps these files itself and runs them without Kerf: a run goes on when the line is lost or Kerf ends.":
     "Die Steuerung hat diese Dateien selbst und führt sie ohne Kerf aus: Ein Lauf geht weiter, wenn die Leitung abreißt oder Kerf endet.",
+  "Something is done on the card.": "Auf der Karte geschieht etwas.",
   "List the files": "Dateien auflisten",
   "The files are listed.": "Die Dateien werden aufgelistet.",
   "{0} is read back and looked through.": "{0} wird zurückgelesen und durchgesehen.",

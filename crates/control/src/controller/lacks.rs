@@ -9,6 +9,9 @@ use kerf_trace::{Event, ExecutedMove, Sink, event::MoveEvent};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+/// The mend of a file that leads beyond what the controller reaches.
+const OUT_OF_REACH: &str = "change the file, or where its zero lies";
+
 /// Looks at a dry run of the program.
 #[derive(Clone, Debug)]
 pub struct Lacks {
@@ -81,10 +84,15 @@ impl Lacks {
     }
 
     fn tell(&mut self, severity: Severity, what: &str) {
+        self.tells(severity, what, "");
+    }
+
+    /// Tells something once, and how it is mended.
+    fn tells(&mut self, severity: Severity, what: &str, hint: &str) {
         if self.seen.insert(what.to_owned()) {
             let place = SourcePlace::line(self.file.clone(), self.line);
             let told = Diagnostic::new(Code::Controller, place, format!("{} {what}", self.name));
-            self.found.push(told.severity(severity));
+            self.found.push(told.severity(severity).hint(hint));
         }
     }
 
@@ -237,7 +245,7 @@ impl Sink for Lacks {
     fn made(&mut self, made: &ExecutedMove<'_>) {
         let (from, to) = (made.span.made.from, made.span.made.to);
         if let Some(why) = out_of_reach(&self.facts, from, to, self.offset) {
-            self.tell(Severity::Error, &why);
+            self.tells(Severity::Error, &why, OUT_OF_REACH);
         }
         self.is_slower(made);
     }

@@ -48,6 +48,7 @@ export const cardSentences: Readonly<Record<string, string>> = {
     "auf der Karte geschieht schon etwas: das Ende abwarten, oder es abbrechen",
   "the file was not looked through: look through it first":
     "die Datei wurde nicht durchgesehen: sie zuerst durchsehen",
+  "{0} more are wrong in the same file": "{0} weitere in derselben Datei",
   "Kerf ends": "Kerf endet",
   "{0} is on the card already": "{0} ist schon auf der Karte",
   "{0} is in the part folder already": "{0} ist schon im Teileordner",

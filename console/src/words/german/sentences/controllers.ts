@@ -40,6 +40,7 @@ export const controllersSentences: Readonly<Record<string, string>> = {
   "{0} keeps no zero points: Kerf keeps its own (ZX, VA)":
     "{0} hat keine Nullpunkte: Kerf hat eigene (ZX, VA)",
   "has no axis {0}": "hat keine Achse {0}",
+  "change the file, or where its zero lies": "die Datei ändern, oder wo ihr Nullpunkt liegt",
   "ends at {0} {1} … {2}: {3} would go to {4}, its own places":
     "endet bei {0} {1} … {2}: {3} käme nach {4}, in eigenen Koordinaten",
   "has no output for a torch or a beam: it drives machines with a spindle":
