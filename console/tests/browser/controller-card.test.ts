@@ -90,10 +90,6 @@ it("gives an upload up where it is cancelled, and at STOP", async () => {
 it("asks before a file is run, which the machine has to be armed for", async () => {
   await press("Run long.nc…");
   const question = sheet().getByRole("region", { name: "Run long.nc?" });
-  await question.waitFor({ timeout: 8000 }).catch(async (e) => {
-    console.log("SHEET", await sheet().textContent(), JSON.stringify((await stateOf(workshop)) as unknown).slice(0, 300), await page.locator("body").textContent());
-    throw e;
-  });
   await question.getByText(/It takes about 0:4\d/).waitFor();
   await question.getByText(/by itself, from where it stands, at its zero point G54/).waitFor();
   expect(await question.getByRole("button", { name: "Run it", exact: true }).isDisabled()).toBe(

@@ -11,6 +11,7 @@ use crate::place::Place;
 use crate::report::Doing;
 use crate::said;
 use crate::tool_wait::{MODE, ToolWait};
+use crate::upload::is_receipt;
 use crate::zeros::Zeros;
 use kerf_machine::driver::{
     Axes, CardJob, CardNews, CardTask, Changed, ControllerState, Driver, Facts, Garbled, Hold,
@@ -442,6 +443,8 @@ impl Wired for Grbl {
             match byte {
                 _ if self.card.hears_byte(*byte, now_s) => {}
                 b'\r' => {}
+                // A file was given up, and its receiver answers what was on its way.
+                _ if self.hearing.is_empty() && is_receipt(*byte) => {}
                 b'\n' => {
                     let line =
                         String::from_utf8_lossy(&std::mem::take(&mut self.hearing)).into_owned();

@@ -194,6 +194,11 @@ fn packet(number: u8, bytes: &[u8]) -> Vec<u8> {
     packet
 }
 
+/// Returns `true` for an answer to a packet, which belongs to no line.
+pub(crate) const fn is_receipt(byte: u8) -> bool {
+    matches!(byte, ACK | NAK | CANCEL)
+}
+
 /// CRC-16 of XMODEM: the polynomial x¹⁶ + x¹² + x⁵ + 1, from 0.
 pub(crate) fn crc(bytes: &[u8]) -> u16 {
     bytes.iter().fold(0, |crc, byte| {

@@ -212,3 +212,13 @@ fn a_line_of_a_file_that_is_refused_is_told_with_its_number() {
     assert!(!matches!(link.driver().grbl.trouble(), Some(Trouble::Alarm { .. })));
     assert_eq!(link.driver().fake.position().0[0], 1.0);
 }
+
+/// The receiver answers the packet that was on its way when the file was given up.
+#[test]
+fn what_a_receiver_still_says_of_a_file_that_was_given_up_is_in_no_line() {
+    let mut link = attached(&[("box.nc", SQUARE)]);
+    looks(&mut link, 0.0, 1.0);
+    link.driver().grbl.hear(&[0x06, 0x15, 0x18], 1.0);
+    let text = CardAnswer { text: SQUARE.into(), ..CardAnswer::default() };
+    assert_eq!(does(&mut link, 1.0, CardTask::Show("box.nc".into())), done(text));
+}

@@ -134,8 +134,7 @@ impl Owner {
                 Order::Switches if !moved => continue,
                 Order::File { work, name, hash, planned, parameters, opened, draws_only } => {
                     let mut options = RunOptions { opened, ..self.options() };
-                    options.program.file = parameters;
-                    options.program.draws_only = draws_only;
+                    (options.program.file, options.program.draws_only) = (parameters, draws_only);
                     let hash = Some(hash);
                     let job = CurrentRun { file: name, hash, draws_only, ..CurrentRun::default() };
                     self.run(*work, options, job, planned);
