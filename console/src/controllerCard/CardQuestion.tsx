@@ -86,7 +86,7 @@ function RunQuestion({ card, question: { name }, ...props }: CardQuestionProps) 
       <p>{t("The material is fixed, the right tool is in, and everybody is clear of it?")}</p>
       <div className="controller-card-acts">
         <Button refused={refused} look={looked ? "go" : "hold"} onPress={run}>
-          {looked ? "Run it" : "Run it unchecked"}
+          {looked ? t("Run it") : t("Run it unchecked")}
         </Button>
         <Button onPress={onClose}>Do not run it</Button>
       </div>

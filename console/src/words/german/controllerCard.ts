@@ -27,6 +27,7 @@ export const controllerCard: Readonly<Record<string, string>> = {
   "{0} % of it is read, about {1} left": "{0} % davon sind gelesen, noch etwa {1}",
   "{0} % of it is read; the time left is unknown: its text was not looked through":
     "{0} % davon sind gelesen; wie lange noch, ist unbekannt: ihr Text wurde nicht durchgesehen",
+  "Replace {0}": "{0} ersetzen",
   "Run {0}…": "{0} ausführen…",
   "It was looked through.": "Sie wurde durchgesehen.",
   "Look through {0}": "{0} durchsehen",
