@@ -4,11 +4,11 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { beforeAll, expect, it } from "vitest";
-import type { Controller } from "./controller";
+import { Controller } from "./controller";
 import { driveController } from "./driven";
 import { overlaps } from "./overlaps";
 import { sizes } from "./sizes";
-import { act, arm, stateOf, until, violations, type Workshop } from "./workshop";
+import { act, arm, openWorkshop, stateOf, until, violations, type Workshop } from "./workshop";
 
 let controller: Controller;
 let workshop: Workshop;
@@ -173,4 +173,20 @@ it("deletes a file behind a question", async () => {
 it.each(sizes)("nothing lies over anything, at $width by $height", async (size) => {
   await page.setViewportSize(size);
   expect(await overlaps(page)).toEqual([]);
+});
+
+it("is followed and stopped where Kerf begins while it runs", async () => {
+  const busy = new Controller("card");
+  const port = await busy.line();
+  busy.work("file long.nc G21|G1 X300 F900|G1 X0|M30");
+  busy.work("runs long.nc");
+  expect(await busy.line()).toBe("true");
+  const late = await openWorkshop({ controller: `grbl:${port}` });
+  const shown = await late.page();
+  await shown.getByText("runs from the controller's card").first().waitFor();
+  await shown.getByRole("button", { name: "STOP", exact: true }).click();
+  await until(async () => (await stateOf(late)).job?.ended === "stopped", "it is over");
+  await until(async () => (await stateOf(late)).controllerCard.has, "it is attached");
+  await late.close();
+  busy.unplug();
 });
