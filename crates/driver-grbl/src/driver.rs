@@ -632,7 +632,7 @@ impl Wired for Grbl {
     }
 
     fn leaves_card(&mut self) {
-        let end = self.card.gives_up();
+        let end = self.card.gives_up(self.seen_s);
         self.out.extend(end);
     }
 

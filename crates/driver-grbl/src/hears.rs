@@ -36,6 +36,9 @@ impl Grbl {
         } else if let Some(told) = line.strip_prefix("[PRB:") {
             self.touched(told);
         } else if self.card.hears_line(line, &self.told) {
+            if let Some((number, why)) = self.card.takes_fault() {
+                let _ = self.trouble.get_or_insert(Trouble::Refused { number, why: why.into() });
+            }
         } else if line.starts_with('[') && line.ends_with(']') {
             self.bracket(line);
         } else if line.starts_with("Grbl") {
@@ -96,7 +99,9 @@ impl Grbl {
             }
             self.asks_zeros();
         }
-        self.card.answered(&line.text, now_s);
+        if let Some(next) = self.card.answered(&line.text, now_s) {
+            self.say(next);
+        }
         self.follows_settings(&line.text);
         self.asks_on();
     }

@@ -122,7 +122,8 @@ impl Report {
         let inner = line.strip_prefix('<')?.strip_suffix('>')?;
         let mut fields = inner.split('|');
         let mut report = Self { doing: Doing::read(fields.next()?)?, ..Self::default() };
-        for field in fields {
+        // FluidNC leaves the field of its card empty until it has read the first line of a file.
+        for field in fields.filter(|field| !field.is_empty()) {
             let (name, value) = field.split_once(':')?;
             match name {
                 "MPos" => (report.place, report.axes) = placed(Frame::Machine, value)?,
@@ -145,7 +146,7 @@ fn placed(frame: Frame, value: &str) -> Option<(Option<(Frame, Axes)>, usize)> {
     Some((Some((frame, place)), count))
 }
 
-/// A file that runs: `12.5,box.nc`. A number alone tells whether a card is there.
+/// A file that runs: `12.5,box.nc`. A number alone tells whether a card is there; words alone that all of it is read.
 fn on_card(value: &str) -> Option<(f64, String)> {
     let (percent, name) = value.split_once(',')?;
     Some((percent.parse().ok()?, name.to_owned()))
@@ -188,6 +189,15 @@ mod tests {
         let work = Report::read("<Hold:0|WPos:1,2,3,4|WCO:0.5,0,0,0>").expect("a report");
         assert_eq!((work.doing, work.axes), (Doing::Held, 4));
         assert_eq!(work.offset, Some(Axes::xyz(0.5, 0.0, 0.0)));
+    }
+
+    #[test]
+    fn the_field_of_a_file_that_fluidnc_has_not_begun_to_read_or_has_read_names_none() {
+        let read = |line: &str| Report::read(line).expect("a report").card;
+        assert_eq!(read("<Idle|MPos:0,0,0|>"), None);
+        assert_eq!(read("<Run|MPos:0,0,0|SD: /sd/box.nc: Sent>"), None);
+        let runs = read("<Run|MPos:0,0,0|SD:12.50,/sd/box.nc>");
+        assert_eq!(runs, Some((12.5, "/sd/box.nc".into())));
     }
 
     #[test]

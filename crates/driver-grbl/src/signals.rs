@@ -59,7 +59,7 @@ impl Grbl {
 
     /// Slows it down; what was not sent is forgotten.
     fn stop(&mut self, now_s: f64) {
-        let end = self.card.gives_up();
+        let end = self.card.gives_up(now_s);
         self.out.extend(end);
         self.queue.clear();
         self.stopped_s = now_s;

@@ -6,6 +6,7 @@ mod arcs;
 mod card;
 mod conformance;
 mod faults;
+mod fluid_card;
 mod gap;
 mod kept_settings;
 mod set_up;

@@ -14,7 +14,7 @@ fn attached(files: &[(&str, &str)]) -> Link<Wire> {
 }
 
 /// It is looked at for so long, and asked where it is; the last news of its card is returned.
-fn looks(link: &mut Link<Wire>, from_s: f64, seconds: f64) -> Option<CardNews> {
+pub fn looks(link: &mut Link<Wire>, from_s: f64, seconds: f64) -> Option<CardNews> {
     let mut news = None;
     for tick in 0..(seconds / 0.02) as u32 {
         let now_s = from_s + 0.02 * f64::from(tick);
@@ -27,16 +27,16 @@ fn looks(link: &mut Link<Wire>, from_s: f64, seconds: f64) -> Option<CardNews> {
     news
 }
 
-fn does(link: &mut Link<Wire>, from_s: f64, task: CardTask) -> Option<CardNews> {
+pub fn does(link: &mut Link<Wire>, from_s: f64, task: CardTask) -> Option<CardNews> {
     link.driver().grbl.does_on_card(task).unwrap();
     looks(link, from_s, 1.0)
 }
 
-fn job(link: &mut Link<Wire>) -> Option<CardJob> {
+pub fn job(link: &mut Link<Wire>) -> Option<CardJob> {
     link.driver().grbl.card_job()
 }
 
-fn done(answer: CardAnswer) -> Option<CardNews> {
+pub fn done(answer: CardAnswer) -> Option<CardNews> {
     Some(CardNews::Done(answer))
 }
 
@@ -52,7 +52,7 @@ fn files_are_told_shown_and_deleted() {
     does(&mut link, 2.0, CardTask::Delete("box.nc".into()));
     assert_eq!(link.driver().fake.card().files.len(), 1);
     let gone = does(&mut link, 3.0, CardTask::Delete("box.nc".into()));
-    assert!(matches!(gone, Some(CardNews::Failed(why)) if why.contains("62")));
+    assert!(matches!(gone, Some(CardNews::Failed(why)) if why.contains("61")));
     link.driver().fake.card().is_out = true;
     let out = does(&mut link, 4.0, CardTask::List);
     assert!(matches!(out, Some(CardNews::Failed(why)) if why.contains("no card in it")));

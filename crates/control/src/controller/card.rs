@@ -14,6 +14,9 @@ const SILENT_S: f64 = 15.0;
 /// A controller that stands answers what it was asked within this, seconds.
 const ANSWER_S: f64 = 2.0;
 
+/// A controller that was told to end an upload has done so within this, seconds.
+const ENDS_S: f64 = 6.0;
+
 /// A file that was stopped is over, and its controller asked about itself, within this, seconds.
 const STOPPED_S: f64 = 12.0;
 
@@ -106,6 +109,11 @@ pub fn do_on_card(
         if is_late || is_stopped() {
             connection.link.driver().leaves_card();
             connection.tend(NAP);
+            // A receiver that was stopped says so, and takes no line before.
+            let until_s = connection.now_s() + ENDS_S;
+            while connection.link.driver().sends_file() && connection.now_s() < until_s {
+                connection.tend(NAP);
+            }
             let why = if is_late { "it says nothing of its card" } else { "it was stopped" };
             return Err(refused(&connection.name, why));
         }

@@ -67,11 +67,7 @@ impl Board {
 
     /// The same with a card, on which these files are.
     pub fn hal_with_card(files: &[(&str, &str)]) -> Self {
-        let mut board = Self::hal(0);
-        let files = files.iter().map(|(name, text)| ((*name).into(), text.as_bytes().to_vec()));
-        let mut card = Card::default();
-        card.files.extend(files);
-        board.card = Some(card);
+        let mut board = Self { card: Some(Card::with(files)), ..Self::hal(0) };
         for line in board.tells.iter_mut().filter(|line| line.starts_with("[NEWOPT:")) {
             *line = line.replace(']', ",SD,YM,FS]");
         }
@@ -93,6 +89,11 @@ impl Board {
             hal: false,
             card: None,
         }
+    }
+
+    /// The same with a card, on which these files are.
+    pub fn fluid_with_card(files: &[(&str, &str)]) -> Self {
+        Self { card: Some(Card::with(files).of_fluid()), ..Self::fluid() }
     }
 }
 

@@ -1,5 +1,6 @@
-//! The card of the fake: files that it lists, takes by YMODEM, deletes, and runs by itself.
+//! The card of the fake: files that it lists, takes, deletes, and runs by itself; its words and YMODEM are those of grblHAL.
 
+use super::xmodem::Xmodem;
 use crate::upload::crc;
 use std::collections::BTreeMap;
 
@@ -17,8 +18,9 @@ const ASKS_S: f64 = 1.0;
 /// It gives up after so many questions.
 const ASKS: u32 = 10;
 
-/// Its refusals: a file that is not there, and a card that is not.
-const NO_FILE: u16 = 62;
+/// Its refusals: a file that cannot be opened, one that cannot be deleted, and a card that is not there.
+const NO_FILE: u16 = 84;
+const NOT_DELETED: u16 = 61;
 const NO_CARD: u16 = 64;
 
 /// Its refusal while it moves.
@@ -35,6 +37,14 @@ pub struct Card {
     pub room: Option<usize>,
     /// Packets of a file that it takes to be spoiled, for tests.
     pub spoils: u32,
+    /// Packets that do not come through to it, for tests (XMODEM).
+    pub loses: u32,
+    /// Answers to packets that do not come through from it, for tests (XMODEM).
+    pub mutes: u32,
+    /// It has the words of `FluidNC`.
+    pub(super) fluid: bool,
+    /// A file that comes by XMODEM.
+    pub(super) xmodem: Option<Xmodem>,
     running: Option<Running>,
     receiving: Option<Receiving>,
 }
@@ -63,9 +73,18 @@ struct Receiving {
 }
 
 impl Card {
+    pub(super) fn with(files: &[(&str, &str)]) -> Self {
+        let files = files.iter().map(|(name, text)| ((*name).into(), text.as_bytes().to_vec()));
+        Self { files: files.collect(), ..Self::default() }
+    }
+
+    pub(super) fn of_fluid(self) -> Self {
+        Self { fluid: true, ..self }
+    }
+
     /// The reset of the controller ends what is run.
     pub(super) fn ends(&mut self) {
-        (self.running, self.receiving) = (None, None);
+        (self.running, self.receiving, self.xmodem) = (None, None, None);
     }
 
     pub(super) const fn runs(&self) -> bool {
@@ -88,13 +107,18 @@ impl Card {
     /// The field of a status report, while a file is run.
     pub(super) fn field(&self) -> Option<String> {
         let Running { name, content, read, .. } = self.running.as_ref()?;
-        let percent = (*read as f64 / content.len().max(1) as f64 * 100.0).min(99.9);
+        let percent = *read as f64 / content.len().max(1) as f64 * 100.0;
+        if self.fluid {
+            let told = format!("|SD:{percent:.2},/sd/{name}");
+            return Some(if *read > 0 { told } else { "|".to_owned() });
+        }
+        let percent = percent.min(99.9);
         Some(format!("|SD:{percent:.1},{name}"))
     }
 
-    /// The line of the file that is read.
-    pub(super) fn line(&self) -> u32 {
-        self.running.as_ref().map_or(0, |running| running.line)
+    /// The line of the file that is read, and the file.
+    pub(super) fn line(&self) -> (u32, &str) {
+        self.running.as_ref().map_or((0, ""), |running| (running.line, &running.name))
     }
 }
 
@@ -126,6 +150,9 @@ impl Card {
     /// nothing where it is no such command.
     pub(super) fn command(&mut self, command: &str, stands: bool) -> Option<Vec<String>> {
         let error = |number: u16| vec![format!("error:{number}")];
+        if self.fluid {
+            return self.fluid_command(command, stands);
+        }
         if !command.starts_with('F') {
             return None;
         }
@@ -139,6 +166,7 @@ impl Card {
                 let files = self.files.iter();
                 files.map(|(name, it)| format!("[FILE:/{name}|SIZE:{}]", it.len())).collect()
             }
+            ("FD", None) => return Some(error(NOT_DELETED)),
             (_, None) => return Some(error(NO_FILE)),
             ("F<", Some(it)) => String::from_utf8_lossy(it).lines().map(str::to_owned).collect(),
             ("FD", _) => {
@@ -154,6 +182,12 @@ impl Card {
 
     /// Takes a byte of a file that comes; returns what it answers, or nothing where none comes.
     pub(super) fn hears(&mut self, byte: u8, now_s: f64) -> Option<Vec<u8>> {
+        if self.fluid {
+            return self.xmodem.as_mut().map(|file| {
+                file.hear(byte, now_s);
+                Vec::new()
+            });
+        }
         if self.receiving.is_none() && (!matches!(byte, SOH | STX) || self.runs()) {
             return None;
         }
@@ -213,7 +247,15 @@ impl Card {
     }
 
     /// A receiver that hears nothing asks again, and gives up some day.
-    pub(super) fn waits(&mut self, now_s: f64) -> Option<u8> {
+    pub(super) fn waits(&mut self, now_s: f64) -> Vec<u8> {
+        if self.fluid {
+            self.takes_file(now_s)
+        } else {
+            self.asks_again(now_s).into_iter().collect()
+        }
+    }
+
+    fn asks_again(&mut self, now_s: f64) -> Option<u8> {
         let file = self.receiving.as_mut().filter(|file| now_s - file.heard_s >= ASKS_S)?;
         (file.heard_s, file.asked, file.purges) = (now_s, file.asked + 1, false);
         file.packet.clear();

@@ -8,6 +8,7 @@
 mod arc;
 mod board;
 mod card;
+mod fluid_card;
 mod goes;
 mod motion;
 mod read;
@@ -16,6 +17,7 @@ mod solid;
 mod state;
 mod tool;
 mod turned;
+mod xmodem;
 
 pub use board::Board;
 pub use card::Card;
@@ -310,9 +312,13 @@ impl Fake {
     fn tell(&mut self, line: &str) {
         let own = self.board.card.as_mut().filter(|card| card.runs());
         if let Some(card) = own {
-            let at = card.line();
+            let at = card.line().0;
             match line.strip_prefix("error:") {
                 _ if line == "ok" => return,
+                Some(number) if card.fluid => {
+                    let told = card.fluid_refusal(number);
+                    return self.out.extend(told.bytes());
+                }
                 Some(_) => {
                     card.ends();
                     self.tell(&format!("{line} in SD file at line {at}"));
@@ -372,7 +378,8 @@ impl Fake {
         let stands = self.state == State::Ready && self.motion.is_empty();
         let told = self.board.card.as_mut().and_then(|card| card.command(command, stands));
         told.iter().flatten().for_each(|line| self.tell(line));
-        if let (true, Some(name)) = (stands, command.strip_prefix("F=")) {
+        let named = command.strip_prefix("F=").or_else(|| command.strip_prefix("SD/Run="));
+        if let (true, Some(name)) = (stands, named) {
             self.runs_from_card(name.trim_start_matches('/'));
         }
         told.is_some()
@@ -416,7 +423,7 @@ impl Fake {
                 self.motion.held = false;
             }
             let now_s = self.clock_s;
-            self.out.extend(self.board.card.as_mut().and_then(|card| card.waits(now_s)));
+            self.out.extend(self.board.card.iter_mut().flat_map(|card| card.waits(now_s)));
             self.read_on();
         }
     }
@@ -518,10 +525,14 @@ impl Fake {
                 self.make(&words);
             }
             if self.board.card.as_ref().is_some_and(Card::runs) {
-                // What comes on its line is dropped.
-                self.buffer.clear();
+                let is_fluid = self.board.card.as_ref().is_some_and(|card| card.fluid);
+                if !is_fluid {
+                    // What comes on its line is dropped; FluidNC reads it behind the file.
+                    self.buffer.clear();
+                }
                 match self.board.card.as_mut().and_then(Card::next_line) {
                     Some(line) => self.line(&line),
+                    None if is_fluid => self.board.card.iter_mut().for_each(Card::ends),
                     None if self.motion.is_empty() => {
                         self.board.card.iter_mut().for_each(Card::ends);
                         self.tell("[MSG:Pgm End]");
