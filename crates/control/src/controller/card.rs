@@ -120,11 +120,27 @@ pub fn do_on_card(
     }
 }
 
-/// Follows a file that runs from a card to its end, and tells of it at every look.
+/// Follows a file that runs from a card to its end, and tells of it at every look. One that ends before its end is stopped: what
+/// it has switched on would stay on, and its last moves would still be made.
 ///
 /// # Errors
-/// The line is lost for good: the file goes on.
+/// The controller refuses to go on, or does not say that it has stopped; or the line is lost for good, and the file goes on.
 pub fn follow_card(
+    connection: &mut Connection,
+    tells: &mut dyn FnMut(&CardState),
+    wishes: &mut dyn FnMut() -> Option<CardWish>,
+) -> Result<CardEnd, String> {
+    let ended = look_on(connection, tells, wishes);
+    match &ended {
+        Ok(CardEnd::Failed(_)) => stop_card(connection)?,
+        // The first reason is the one that matters.
+        Err(_) if !connection.dead => drop(stop_card(connection)),
+        _ => {}
+    }
+    ended
+}
+
+fn look_on(
     connection: &mut Connection,
     tells: &mut dyn FnMut(&CardState),
     wishes: &mut dyn FnMut() -> Option<CardWish>,

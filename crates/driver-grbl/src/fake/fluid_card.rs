@@ -80,6 +80,11 @@ impl Card {
         Vec::new()
     }
 
+    /// Returns `true` while a file comes by XMODEM.
+    pub const fn takes_by_xmodem(&self) -> bool {
+        self.xmodem.is_some()
+    }
+
     /// Returns what it says while a file comes, and when it has come.
     pub(super) fn takes_file(&mut self, now_s: f64) -> Vec<u8> {
         let Some(file) = &mut self.xmodem else { return Vec::new() };

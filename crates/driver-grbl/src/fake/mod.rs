@@ -369,6 +369,11 @@ impl Fake {
         self.board.card.get_or_insert_with(Card::default)
     }
 
+    /// Returns `true` if something holds of its card.
+    pub fn has_card_with(&self, holds: impl Fn(&Card) -> bool) -> bool {
+        self.board.card.as_ref().is_some_and(holds)
+    }
+
     /// Somebody begins a file of its card at its own panel; tells whether it is there.
     pub fn runs_from_card(&mut self, name: &str) -> bool {
         self.board.card.as_mut().is_some_and(|card| card.begins(name))

@@ -18,17 +18,17 @@ fn words(bench: &Bench, words: &str) -> String {
     format!("machine card {words} --machine grbl:{}", bench.port)
 }
 
-fn card(bench: &Bench, shop: &Shop, asked: &str) -> Did {
+pub fn card(bench: &Bench, shop: &Shop, asked: &str) -> Did {
     shop.kerf(&words(bench, asked))
 }
 
-fn started(bench: &Bench, shop: &Shop, asked: &str) -> Child {
+pub fn started(bench: &Bench, shop: &Shop, asked: &str) -> Child {
     let mut command = shop.command();
     command.args(words(bench, asked).split_whitespace());
     command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
 }
 
-fn interrupted(child: Child) -> Output {
+pub fn interrupted(child: Child) -> Output {
     kill(Pid::from_raw(child.id() as i32), Signal::SIGINT).unwrap();
     child.wait_with_output().unwrap()
 }

@@ -6,6 +6,7 @@
 mod bench;
 mod boards;
 mod card;
+mod fluid_card;
 mod gone;
 mod held;
 mod inputs_and_outputs;
