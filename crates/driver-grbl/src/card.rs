@@ -25,7 +25,9 @@ use crate::at_once::ASK;
 use crate::facts::{KnownFacts, Words};
 use crate::report::{Doing, Report};
 use crate::upload::{Upload, Went};
-use kerf_machine::driver::{CardAnswer, CardFile, CardJob, CardNews, CardTask};
+use kerf_machine::driver::{
+    CardAnswer, CardFile, CardJob, CardNews, CardTask, NO_CARD_IN, TAKES_NO_FILES,
+};
 
 /// One that was told to run a file and stands so long afterwards has run it already, seconds.
 const BEGUN_S: f64 = 0.6;
@@ -201,7 +203,7 @@ impl Card {
         takes_name(name, words)?;
         let (upload, first) = match words {
             Words::Hal { takes: false } => {
-                return Err("its firmware takes no files on this line: build it with YMODEM, or put the file on the card in this computer".into());
+                return Err(TAKES_NO_FILES.into());
             }
             _ if content.is_empty() => return Err(format!("{name} is empty")),
             Words::Hal { takes: true } => (Upload::named(name, content), String::new()),
@@ -312,7 +314,7 @@ impl Card {
         if is_it {
             let not_mounted: &[u16] = if told.is_hal() { &NOT_MOUNTED } else { &NOT_MOUNTED_FLUID };
             let why = match not_mounted.contains(&number) {
-                true => "there is no card in it, or none that it can read".to_owned(),
+                true => NO_CARD_IN.to_owned(),
                 false => format!("error {number}: {why}"),
             };
             self.news = Some(CardNews::Failed(why));

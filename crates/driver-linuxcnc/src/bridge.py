@@ -251,7 +251,9 @@ class Machine:
     def saves_parameters(self):
         """Its file of parameters is one command behind, unless its interpreter is told to follow its motion.
 
-        It is not told so in mode AUTO, which it has gone to by way of saving them."""
+        It is not told so in mode AUTO, which it has gone to by way of saving them. What it was told since it was looked at
+        last may have led it out of that mode."""
+        self.state.poll()
         if self.state.task_mode == linuxcnc.MODE_AUTO:
             return
         self.told.task_plan_synch()

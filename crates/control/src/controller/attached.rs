@@ -332,7 +332,7 @@ impl Controller {
     /// # Errors
     /// It has none, for a reason.
     pub fn has_card(&self) -> Result<(), &'static str> {
-        self.connection.borrow_mut().link.driver().has_card()
+        self.connection.borrow_mut().has_card()
     }
 
     /// Does something on its card.

@@ -232,6 +232,14 @@ impl Connection {
         }
     }
 
+    /// Tells whether it has a card with files that it runs by itself.
+    ///
+    /// # Errors
+    /// It has none, for a reason.
+    pub fn has_card(&mut self) -> Result<(), &'static str> {
+        self.link.driver().has_card()
+    }
+
     /// Returns the file that it runs from its card, whoever has begun it.
     pub fn card_job(&mut self) -> Option<CardJob> {
         self.link.driver().card_job()

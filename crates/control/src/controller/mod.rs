@@ -41,7 +41,7 @@ mod turned;
 mod zeros;
 
 pub use attached::{AttachReport, First};
-pub use card::{CardEnd, CardState, CardWish, follow_card};
+pub use card::{CardEnd, CardState, CardWish, do_on_card, follow_card};
 pub use connection::Connection;
 pub use either::{Controller, Place, dry_run};
 pub use kept_settings::{STEPS, WrittenSetting, question_in, settings_in};

@@ -156,7 +156,12 @@ fn a_board_proves_that_it_holds_the_list() {
     assert!(report.contains("# grbl 1.1h.20190825 on grbl:tcp:"), "{report}");
     // A switch at rest and on the way, a fault, and homing, which it does not do.
     let not_tried = report.matches("| not tried: ").count();
-    assert_eq!((held, not_tried), (CASES.len() - 3 + 8, 4), "{report}");
+    // Its card, which it does not have, twice.
+    assert_eq!((held, not_tried), (CASES.len() - 3 + 9, 6), "{report}");
+    assert!(
+        report.contains("| its card lists its files | not tried: grbl 1.1 has no card"),
+        "{report}"
+    );
     assert!(report.contains("| it goes home | not tried: it has no homing ($22) |"), "{report}");
     let (spindle, offset) = bench.look(|fake| (fake.spindle(), fake.offsets.systems[8]));
     assert_eq!((spindle, offset), (None, Axes::default()));
@@ -169,5 +174,17 @@ fn a_board_that_homes_does_so_when_it_is_asked_for() {
     let bench = Bench::cabled("prove", Fake::of(Board::hal(0), &[(22, 1.0), (10, 511.0)]));
     let (report, held) = proves(&bench, "--home");
     assert!(report.contains("| it goes home | held |"), "{report}");
-    assert_eq!(held, CASES.len() - 3 + 9, "{report}");
+    assert_eq!(held, CASES.len() - 3 + 10, "{report}");
+}
+
+#[test]
+fn a_board_proves_that_its_card_takes_shows_and_runs_files() {
+    for board in [Board::hal_with_card, Board::fluid_with_card] {
+        let bench = Bench::of(Fake::of(board(&[("box.nc", "G21\n")]), &[(10, 511.0)]));
+        let (report, held) = proves(&bench, "");
+        assert_eq!(held, CASES.len() - 3 + 11, "{report}");
+        assert!(report.contains("| its card lists its files | held: 1 files |"), "{report}");
+        assert!(bench.look(|fake| fake.card().files.keys().eq(["box.nc"])));
+        assert!(bench.look(|fake| fake.lines.iter().any(|line| line == "G90")), "it ran");
+    }
 }

@@ -1,5 +1,12 @@
 //! The card of a controller: files that it keeps itself, and runs without whoever drives it.
 
+/// Said where a controller has a slot for a card and none in it.
+pub const NO_CARD_IN: &str = "there is no card in it, or none that it can read";
+
+/// Said where the firmware of a controller has a card and takes no files for it on its line.
+pub const TAKES_NO_FILES: &str = "its firmware takes no files on this line: build it with YMODEM, or put the file on the card in \
+                                  this computer";
+
 /// A file on the card.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CardFile {

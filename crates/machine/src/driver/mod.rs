@@ -25,7 +25,7 @@ mod touch_off;
 mod trouble;
 mod zero;
 
-pub use card::{CardAnswer, CardFile, CardJob, CardNews, CardTask};
+pub use card::{CardAnswer, CardFile, CardJob, CardNews, CardTask, NO_CARD_IN, TAKES_NO_FILES};
 pub use facts::Facts;
 pub use link::{Link, LinkNews, LinkState, Troubles};
 pub use offsets::Offsets;

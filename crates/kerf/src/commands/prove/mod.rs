@@ -1,6 +1,7 @@
 //! The list that every machine has to hold, run against a real board on the bench; a report that can be shown to others.
 
 mod bench;
+mod card;
 mod outcome;
 mod own;
 
@@ -10,6 +11,7 @@ use crate::machine_name::DriverName;
 use crate::out;
 use anyhow::{Context, Result};
 pub use bench::OnBench;
+use card::CARD;
 use kerf_machine::Machine;
 use kerf_machine::conformance::{self, Bench, CASES};
 use kerf_machine::driver::Facts;
@@ -34,7 +36,7 @@ pub fn prove(name: &DriverName, report: &Path, format: Format, home: bool) -> Re
         },
     );
     let settings = if name.is_linuxcnc() { &[] } else { SETTINGS };
-    for case in OWN.iter().chain(settings) {
+    for case in OWN.iter().chain(CARD).chain(settings) {
         told.takes(case.name, || (case.check)(name));
     }
     told.write(report)
