@@ -102,7 +102,10 @@ const HAL: &[(u16, &str)] = &[
     (343, "Feed of the slow touch when a tool is touched off."),
     (344, "Feed of the first touch when a tool is touched off."),
     (345, "Feed of the way up between the two touches of a tool."),
-    (346, "Says where a tool is changed, and whether it goes back to its place afterwards."),
+    (
+        346,
+        "Bits of M6: 1 goes back to its place behind it, 2 has the tool put in at G30, 4 comes off the plate quickly.",
+    ),
     (347, "Share of its travel by which the two home switches of an axis may lie apart."),
     (348, "Least distance that the share of $347 may come to."),
     (349, "Greatest distance that the share of $347 may come to."),

@@ -656,6 +656,9 @@ def main(arguments):
             host, _, port = ("127.0.0.1:" + arguments[1]).rpartition(":")
             serve_net(machine, host.rpartition(":")[2] or host, int(port))
         else:
+            # Ctrl-C and a terminal that closes are Kerf's to hear: it stops, lifts, and ends the line.
+            for heard in (signal.SIGINT, signal.SIGHUP):
+                signal.signal(heard, signal.SIG_IGN)
             Bridge(machine, Pipe()).serve()
     finally:
         shutil.rmtree(machine.folder, ignore_errors=True)

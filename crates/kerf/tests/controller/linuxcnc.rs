@@ -3,9 +3,12 @@
 #[path = "../../../../tests/linuxcnc/session.rs"]
 mod session;
 
+use crate::close;
+use crate::shop::console::Console;
 use crate::shop::{Did, Shop};
 use session::{PYTHON, Session, begins};
 use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
 
 /// Moves along X with an output switched on between them, and the spindle beside it.
 const SWITCHED: &str = "TR,9000\nSO,1,1\nMS,1\nMX,1\nSO,5,1\nMX,2\nSO,5,0\nMX,3\nSO,1,0\n";
@@ -63,6 +66,7 @@ fn a_real_linuxcnc_does_what_the_fake_one_does() {
     let line = listed.lines().find(|line| line.starts_with("G55 ")).unwrap();
     let words: Vec<&str> = line.split_whitespace().collect();
     assert_eq!(words, ["G55", "96.2", "-5", "0", "holds"]);
+    keeps_zeros_behind_a_run(&shop);
     presses_stop(&session);
     kerf(&shop, "run switched.sbp --start fresh").exits(1).complains("emergency stop is pressed");
 }
@@ -87,6 +91,34 @@ fn switches_at_its_place(shop: &Shop) {
     for (seen, expected) in seen.iter().zip(expected) {
         assert!(seen.iter().zip(expected).all(|(a, b)| (a - b).abs() < 0.01), "{told}");
     }
+}
+
+/// A zero point of a system that does not hold, changed behind a run while the connection stays, is told as it is.
+fn keeps_zeros_behind_a_run(shop: &Shop) {
+    let console = Console::begin(shop, &["--machine", "linuxcnc:local"]);
+    let comes = |path: &str, mm: f64| {
+        let begin = Instant::now();
+        let is_there = || {
+            let told = console.ask("GET /api/state", "");
+            told.pointer(path).and_then(serde_json::Value::as_f64).is_some_and(|at| close(at, mm))
+        };
+        while !is_there() {
+            assert!(begin.elapsed() < Duration::from_secs(60), "{path} does not come to {mm}");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    };
+    console.carry_out("MX,1");
+    comes("/motion/at/machine/0", 25.4 + 96.2);
+    let lease = console.ask("GET /api/state", "")["lease"]["number"].clone();
+    let lies = r#"{"to":"lies","at":[10,null,null,null,null,null]}"#;
+    let body = format!("{{\"lease\":{lease},\"name\":\"G57\",\"change\":{lies}}}");
+    let begin = Instant::now();
+    // The command is over a moment after it stands.
+    while console.answer("POST /api/do/zero", &body).0 != 200 {
+        assert!(begin.elapsed() < Duration::from_secs(60), "it stays at work");
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    comes("/zeros/3/at/0", 10.0);
 }
 
 fn presses_stop(session: &Session) {
