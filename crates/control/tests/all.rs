@@ -24,6 +24,7 @@ mod queued_boards;
 mod queued_guards;
 mod queued_height;
 mod queued_homing;
+mod queued_killed;
 mod queued_laser;
 mod queued_outputs;
 mod queued_stops;
@@ -35,6 +36,7 @@ mod runs;
 mod settings_files;
 #[path = "../../../tests/corpus/shared.rs"]
 mod shared;
+mod step_path;
 mod streaming;
 mod taken_up;
 mod taking_up;

@@ -16,6 +16,7 @@ use kerf_trace::{Sink, Summary};
 use kerf_workspace::Workspace;
 use std::cell::RefCell;
 use std::ops::{Deref, DerefMut};
+use std::panic::resume_unwind;
 use std::rc::Rc;
 use std::time::Duration;
 
@@ -51,6 +52,8 @@ pub struct World {
     pub now_s: f64,
     /// The host does nothing up to a moment.
     pub stalls_until_s: f64,
+    /// The host is killed at a moment.
+    pub dies_s: f64,
     pub far: Vec<Far>,
     /// Share of the full voltage at all pins that measure one, by the places of the motors.
     pub voltage: Option<fn(&Fake) -> f64>,
@@ -73,22 +76,42 @@ impl DerefMut for World {
     }
 }
 
+/// A host that knows nothing of its boards yet.
+fn mailbox(wiring: &Wiring, board: &Board, now_s: f64) -> Mailbox {
+    let (deadline_s, error_s) = (board.deadline_s, 1e-6 * board.error_us);
+    // Somebody has looked why a board is shut down.
+    let clears = now_s > 0.0;
+    let options = Options { linger_s: 1.0, error_s, deadline_s, clears, ..Options::default() };
+    let crew = Crew::new(&wiring.setup, &wiring.pins.boards, options, now_s);
+    Mailbox::new(crew.expect("a setup"))
+}
+
 impl World {
     pub fn new(seed: u64, faults: Faults, wiring: &Wiring, board: &Board) -> Self {
-        let (deadline_s, error_s) = (board.deadline_s, 1e-6 * board.error_us);
-        let options = Options { linger_s: 1.0, error_s, deadline_s, ..Options::default() };
-        let names = &wiring.pins.boards;
-        let crew = Crew::new(&wiring.setup, names, options, 0.0).expect("a setup");
-        let wired = (seed..).take(names.len()).map(|seed| Wired::new(seed, faults)).collect();
-        let (mailbox, far, heard) = (Mailbox::new(crew), Vec::new(), Vec::new());
-        let (voltage, levels) = (None, None);
-        Self { wired, mailbox, now_s: 0.0, stalls_until_s: 0.0, far, voltage, levels, heard }
+        let seeds = (seed..).take(wiring.pins.boards.len());
+        let wired = seeds.map(|seed| Wired::new(seed, faults)).collect();
+        let mailbox = mailbox(wiring, board, 0.0);
+        let (stalls_until_s, dies_s) = (0.0, f64::INFINITY);
+        let (far, voltage, levels, heard) = (Vec::new(), None, None, Vec::new());
+        Self { wired, mailbox, now_s: 0.0, stalls_until_s, dies_s, far, voltage, levels, heard }
+    }
+
+    /// Another host has the boards from now on.
+    pub fn begin_anew(&mut self, wiring: &Wiring, board: &Board) {
+        self.mailbox = mailbox(wiring, board, self.now_s);
+        (self.stalls_until_s, self.dies_s) = (0.0, f64::INFINITY);
+        self.heard.clear();
+    }
+
+    /// The host is dead: it does nothing more, and nothing that it still wants is done.
+    pub fn is_dead(&self) -> bool {
+        self.now_s >= self.dies_s
     }
 
     /// Lets a grain of time go by.
     pub fn pass(&mut self) {
         self.now_s += GRAIN_S;
-        let (now_s, sleeps) = (self.now_s, self.now_s < self.stalls_until_s);
+        let (now_s, sleeps) = (self.now_s, self.now_s < self.stalls_until_s || self.is_dead());
         for (n, wired) in self.wired.iter_mut().enumerate() {
             let crew = self.mailbox.crew();
             wired.pass(now_s, sleeps, |heard| {
@@ -118,9 +141,18 @@ impl World {
         }
     }
 
-    fn ready(&mut self) -> (String, Vec<i64>) {
+    /// Ends whatever the host does, where it is dead.
+    fn mourn(&self) {
+        if self.is_dead() {
+            resume_unwind(Box::new("the host is killed"));
+        }
+    }
+
+    /// Waits until the boards are ready: the versions of their programs, and the counts of their motors.
+    pub fn ready(&mut self) -> (String, Vec<i64>) {
         for _ in 0..20_000 {
             self.pass();
+            self.mourn();
             let heard = std::mem::take(&mut self.heard);
             let ready = heard.into_iter().find_map(|answer| match answer {
                 Answer::News(News::Ready { version, counts }) => Some((version, counts)),
@@ -135,12 +167,14 @@ impl World {
 }
 
 /// The world as the machine reaches it.
-struct Virtual(Rc<RefCell<World>>);
+pub struct Virtual(pub Rc<RefCell<World>>);
 
 impl Berth for Virtual {
     fn request(&mut self, request: Request) {
         let world = &mut *self.0.borrow_mut();
-        world.mailbox.take(request, world.now_s);
+        if !world.is_dead() {
+            world.mailbox.take(request, world.now_s);
+        }
     }
 
     fn look(&mut self, wait: Duration) -> (Progress, Vec<Answer>) {
@@ -148,6 +182,7 @@ impl Berth for Virtual {
         let until_s = world.now_s + wait.as_secs_f64();
         while world.now_s < until_s || world.now_s < world.stalls_until_s {
             world.pass();
+            world.mourn();
         }
         world.heard.extend(world.mailbox.answers());
         (world.mailbox.progress(world.now_s), std::mem::take(&mut world.heard))

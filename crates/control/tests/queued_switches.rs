@@ -131,11 +131,20 @@ fn on_for_the_first_part(fake: &Fake) -> Levels {
 
 /// Runs lines with the torch; steps of X and Z in order, with their moments, and the place of Z in mm that is believed.
 fn rides(lines: &str) -> (Vec<(f64, i64)>, Vec<f64>, f64) {
-    let shop = Shop::of(&machine_of(TORCH), 5, Faults::default(), |_| {});
+    rides_on(TORCH, on_for_the_first_part, lines)
+}
+
+/// The same on another machine, whose input has other levels.
+fn rides_on(
+    file: &str,
+    levels: fn(&Fake) -> Levels,
+    lines: &str,
+) -> (Vec<(f64, i64)>, Vec<f64>, f64) {
+    let shop = Shop::of(&machine_of(file), 5, Faults::default(), |_| {});
     let world = shop.world.clone();
-    world.borrow_mut().levels = Some(on_for_the_first_part);
+    world.borrow_mut().levels = Some(levels);
     let Ran { summary, session, queued } =
-        ran(shop.queued, machine_of(TORCH), lines, &mut Quiet, &mut ());
+        ran(shop.queued, machine_of(file), lines, &mut Quiet, &mut ());
     assert_eq!(queued.borrow().fault(), None, "{summary:?}");
     queued.borrow_mut().close(true, || false);
     let world = world.borrow();
@@ -182,4 +191,47 @@ fn sbp_val_vh_torch__on_a_board() {
     assert!((slow - 1.0 / 1016.0).abs() < 2e-5, "{slow} s from step to step");
     let (z, _, believed_mm) = rides("VS,4\nVN,,,1\nVH,1\nMX,8\nMZ,1\nVH,0\nMX,0\n");
     assert_eq!((z.last().unwrap().1, believed_mm), (2540, 25.4));
+}
+
+/// The same in mm, with limits of Z and a link as quick as usual.
+const LIMITED: &str = "units = \"mm\"\n[steps]\nper_unit = [100, 100, 100, 100, 100, 100]\n\
+    [limits]\ncheck = true\nlow = [0, 0, -20, 0, 0, 0]\nhigh = [900, 900, 15, 0, 0, 0]\n[board]\nx = \"gpio0 gpio1\"\n\
+    y = \"gpio2 gpio3\"\nz = \"gpio4 gpio5\"\ninputs = \"1 gpio10\"\nboth_edges = true\npulse_us = 0.1";
+
+fn always(_: &Fake) -> Levels {
+    vec![(10, true)]
+}
+
+fn never(_: &Fake) -> Levels {
+    vec![(10, false)]
+}
+
+/// Z comes to a limit with its ramp and stays there: while the input is always on, and while its cable is torn.
+#[test]
+fn vh_leads_z_no_farther_than_its_limits() {
+    let moments: [(fn(&Fake) -> Levels, i64); 2] = [(always, -2000), (never, 1500)];
+    for (levels, limit) in moments {
+        let (z, x, believed_mm) = rides_on(LIMITED, levels, "VS,100\nVN,,,1\nVH,1\nMX,400\n");
+        assert_eq!((z.last().unwrap().1, believed_mm), (limit, limit as f64 / 100.0));
+        assert!(z.iter().all(|(_, z)| z.abs() <= limit.abs()), "{limit}");
+        assert_eq!(x.len(), 40_000, "the path is whole");
+        let gaps: Vec<f64> = z.windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
+        let fastest_s = gaps.iter().copied().fold(f64::INFINITY, f64::min);
+        let last_s = gaps[gaps.len() - 3..].iter().copied().fold(f64::INFINITY, f64::min);
+        assert!((fastest_s - 0.0004).abs() < 2e-5, "{fastest_s} s from step to step");
+        assert!(last_s > 2.0 * fastest_s, "it stops from {last_s} s a step");
+    }
+}
+
+/// Time from a change of the input of VH to the first step that follows it.
+#[test]
+fn vh_answers_its_input_as_soon_as_the_lead_allows() {
+    let (z, x, _) = rides_on(LIMITED, on_for_the_first_part, "VS,100\nVN,,,1\nVH,1,.05\nMX,400\n");
+    let edge_s = x[10_000];
+    let gap_s = |n: usize| z[n + 1].0 - z[n].0;
+    let steady = (0..z.len() - 1).skip(20).map(gap_s).fold(f64::INFINITY, f64::min);
+    let begun = z.iter().position(|(t_s, _)| *t_s > edge_s).unwrap();
+    let slows = (begun..z.len() - 1).find(|n| gap_s(*n) > 1.05 * steady).unwrap();
+    eprintln!("{:.3} s from the change of the input to the ramp of Z", z[slows].0 - edge_s);
+    assert!(z[slows].0 - edge_s < 0.13, "{} s", z[slows].0 - edge_s);
 }

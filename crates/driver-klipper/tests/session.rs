@@ -249,6 +249,19 @@ fn an_output_is_kept_on_and_goes_off_when_it_is_told() {
     assert!(!world.fake.is_shutdown());
 }
 
+/// Changes that come in one moment go out as they came: the last one holds.
+#[test]
+fn outputs_that_are_told_in_one_moment_change_in_that_order() {
+    for (told, last) in [([1.0, 0.0], 0), ([0.0, 1.0], 1)] {
+        let mut world = World::ready(10, Faults::default());
+        for share in told {
+            world.host.set_output(0, share, world.now_s).expect("a board");
+        }
+        world.pass_for(0.5);
+        assert_eq!(world.fake.outputs.values().next().unwrap().value, last, "{told:?}");
+    }
+}
+
 #[test]
 fn a_stop_puts_outputs_off() {
     let mut world = World::ready(11, Faults::default());

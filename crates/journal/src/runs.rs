@@ -159,9 +159,7 @@ impl Runs {
     pub fn machine_of(&self, cut: &CutShort) -> Result<Configuration, JournalError> {
         match self.work_of(cut)? {
             Work::Job(_, machine) => Ok((*machine).clone()),
-            Work::Part(_) | Work::Hand(..) => {
-                Ok(Configuration { program: cut.memory().sbp.settings.clone(), ..cut.machine() })
-            }
+            Work::Part(_) | Work::Hand(..) => Ok(cut.began_with()),
         }
     }
 

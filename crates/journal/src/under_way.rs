@@ -113,6 +113,11 @@ impl CutShort {
         kerf_machine::file::read(&name, &self.run.machine).unwrap_or_default()
     }
 
+    /// Returns the machine with the settings of programs that held when the run began.
+    pub fn began_with(&self) -> Configuration {
+        Configuration { program: self.memory().sbp.settings.clone(), ..self.machine() }
+    }
+
     /// Reads back the work that the run carried out.
     pub(super) fn work(&self, contents: &BTreeMap<String, Vec<u8>>) -> Result<Work, JournalError> {
         let run = &self.run;

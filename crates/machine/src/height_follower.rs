@@ -104,13 +104,25 @@ impl Follower {
         reading
     }
 
-    /// Goes on for a time towards a speed, mm/s, no quicker than the law's acceleration allows and within its heights;
-    /// `z_mm` is the planned height.
+    /// Goes on for a time towards a speed, mm/s, no quicker than the law's acceleration allows; before its heights end it slows
+    /// down, and stands there. `z_mm` is the planned height.
     pub fn go(&mut self, z_mm: f64, law: &HeightLaw, wanted_mm_s: f64, time_s: f64) {
         let change = law.accel_mm_s2 * time_s;
-        self.mm_s += (wanted_mm_s - self.mm_s).clamp(-change, change);
         let (low, high) = (law.floor_mm - z_mm, law.ceiling_mm - z_mm);
-        self.offset_mm = (self.offset_mm + self.mm_s * time_s).min(high).max(low.min(high));
+        let low = low.min(high);
+        // From v to rest within a way s, a part of it still in this time: v·t + v²/2a = s.
+        let most_mm_s = |way_mm: f64| {
+            let (half, way_mm) = (0.5 * change, way_mm.max(0.0));
+            (half * half + 2.0 * law.accel_mm_s2 * way_mm).sqrt() - half
+        };
+        let [down, up] = [self.offset_mm - low, high - self.offset_mm].map(most_mm_s);
+        let wanted_mm_s = wanted_mm_s.max(-down).min(up);
+        self.mm_s += (wanted_mm_s - self.mm_s).clamp(-change, change);
+        let goes_mm = self.offset_mm + self.mm_s * time_s;
+        self.offset_mm = goes_mm.min(high).max(low);
+        if self.offset_mm != goes_mm {
+            self.mm_s = 0.0;
+        }
     }
 
     /// Z is to go to where a reading says, which was taken while it was carried by a distance, mm: `error` is the

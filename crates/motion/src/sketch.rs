@@ -1,6 +1,6 @@
 //! The steps of a motion that is made only when something goes wrong: quickly found, by marks of several each.
 
-use crate::steps::{SLICE_S, Step, Stepper};
+use crate::steps::{HALF, SLICE_S, Step, Stepper};
 use kerf_program::{AXES, Axes};
 
 /// Marks of an axis in a stretch of a sketch, one or two more where it turns round or begins.
@@ -58,7 +58,7 @@ impl Stepper {
         let made = self.made[axis];
         let forward = to > made as f64;
         let sign = if forward { 1 } else { -1 };
-        let steps = ((to - made as f64).abs() - 0.5).ceil().max(0.0) as i64;
+        let steps = ((to - made as f64).abs() - HALF).ceil().max(0.0) as i64;
         let each = ((steps + MARKS - 1) / MARKS).clamp(1, i64::from(u16::MAX));
         let mut done = 0;
         while done < steps {

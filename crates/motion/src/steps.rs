@@ -26,6 +26,9 @@ const OF_SEARCH: f64 = 0.01;
 const SAME: [f64; 2] = [1e-8, 1e-13];
 /// Steps by which a place differs from what was made when the axis was not moved there: less is rounding.
 const JUMP: f64 = 1.0;
+/// Steps by which an axis is away from its motor's before that makes one: a half, and more than rounding makes of it. So a motor
+/// does not step there and back where its axis stands or passes at a half.
+pub(crate) const HALF: f64 = 0.5 + 1e-8;
 /// Halvings in search of a time.
 const HALVINGS: u32 = 40;
 
@@ -163,8 +166,8 @@ impl Stepper {
         let (mut gap, mut growth, mut is_first) = (0.0, 0.0, true);
         loop {
             let made = self.made[axis] as f64;
-            let forward = end > made + 0.5;
-            if !forward && end >= made - 0.5 {
+            let forward = end > made;
+            if (end - made).abs() <= HALF {
                 return;
             }
             let half = if forward { made + 0.5 } else { made - 0.5 };
@@ -206,8 +209,8 @@ impl Stepper {
         let end = at(until_s);
         loop {
             let made = self.made[axis] as f64;
-            let forward = end > made + 0.5;
-            if !forward && end >= made - 0.5 {
+            let forward = end > made;
+            if (end - made).abs() <= HALF {
                 return;
             }
             let half = if forward { made + 0.5 } else { made - 0.5 };

@@ -123,6 +123,22 @@ fn an_axis_that_swings_beside_the_others_is_followed_round_its_turns() {
     }
 }
 
+/// An axis that stands at a half makes no step there, whatever rounding makes of its place.
+#[test]
+fn an_axis_that_stands_between_two_steps_makes_none() {
+    let half = 511.5 / PER_UNIT.0[0];
+    for from in [half - 1e-4, half + 1e-4] {
+        let mut stepper = Stepper::new(PER_UNIT, Axes::xyz(from, 0.0, 0.0));
+        let made = stepper.made();
+        let noise = |t_s: f64| 1e-13 * (1e4 * t_s).sin();
+        let stands = |t_s: f64| Axes::xyz(half + noise(t_s), 0.0, 5.0 * t_s);
+        let steps = stepper.follow(0.0, 1.0, stands);
+        assert!(steps.iter().all(|step| step.axis == 2), "{from}");
+        stepper.sketch(0.0, 1.0, |t_s| Axes::xyz(half + noise(t_s), 0.0, 5.0 - 5.0 * t_s));
+        assert_eq!(stepper.made()[0], made[0], "{from}");
+    }
+}
+
 #[test]
 fn nothing_adds_up_over_many_short_moves() {
     let ways = vec![Made::Line([0.003, -0.0017, 0.0, 0.0, 0.0, 0.0]); 1000];

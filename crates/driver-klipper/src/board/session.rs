@@ -202,11 +202,12 @@ impl Session {
 
     /// The board has this machine's configuration: it is put at rest, whatever a former session left.
     fn configured(&mut self, places: usize) -> Told {
+        self.motion.queue = learn::queue(&self.channel, places);
         if self.learning == Learning::Asked {
             learn::put_at_rest(&mut self.channel)?;
+            self.motion.queue.put_off();
         }
         self.learning = Learning::Counts;
-        self.motion.queue = learn::queue(&self.channel, places);
         Ok(ask_counts(&mut self.channel)?)
     }
 

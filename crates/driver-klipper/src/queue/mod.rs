@@ -220,9 +220,17 @@ impl Queue {
         self.ends = ends;
     }
 
-    /// An output changes while nothing moves, or beside what moves: as soon as may be.
+    /// An output changes while nothing moves, or beside what moves: as soon as may be, behind those that were told so before.
     pub fn set(&mut self, output: usize, value: u32) {
-        self.sending.push_front(Release::AtOnce { output, value });
+        let at_once = |release: &&Release| matches!(release, Release::AtOnce { .. });
+        let before = self.sending.iter().take_while(at_once).count();
+        self.sending.insert(before, Release::AtOnce { output, value });
+    }
+
+    /// All outputs that have a watch go off as soon as may be, whatever a former session told of them: nobody tells them again.
+    pub fn put_off(&mut self) {
+        let watched: Vec<_> = self.outputs.watched().collect();
+        watched.into_iter().for_each(|(output, off)| self.set(output, off));
     }
 
     /// Takes back the pieces of which nothing was sent, and returns the clock from which others may follow.

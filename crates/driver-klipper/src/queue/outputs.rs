@@ -83,6 +83,12 @@ impl Outputs {
         self.0.iter().filter_map(off)
     }
 
+    /// Outputs that have a watch, with the values at which they are off.
+    pub fn watched(&self) -> impl Iterator<Item = (usize, u32)> {
+        let rules = self.0.iter().map(|it| it.rules).enumerate();
+        rules.filter(|(_, rules)| rules.watch > 0).map(|(output, rules)| (output, rules.off))
+    }
+
     /// Outputs are off, and no change is on its way.
     pub fn forget(&mut self) {
         self.0.iter_mut().for_each(|output| output.last = None);

@@ -208,6 +208,8 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
         machine,
         editor: editor(&workspace),
     };
+    // A board is wired as the run began with it, whatever the machine's own file says.
+    session.hold(cut.began_with());
     let controller = controller_of(args, run, &mut session, &mut workspace)?;
     let visit = Visit::default();
     visit.begins(&session, &mut workspace)?;

@@ -22,6 +22,9 @@ mod probing;
 #[path = "../shop/mod.rs"]
 mod shop;
 mod step_board;
+mod step_board_killed;
+#[path = "../../../control/tests/step_path.rs"]
+mod step_path;
 mod taken_up;
 mod time;
 mod tool_change;

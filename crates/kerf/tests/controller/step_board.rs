@@ -27,9 +27,9 @@ const LONG: &str = "TR,12000\nSO,1,1\nMS,50,10\nMX,200\nMY,100\nMX,0\nMY,0\nSO,1
 const TURN_S: f64 = 0.5;
 
 /// A board on a port; unplugged when it is dropped.
-struct Bench {
+pub struct Bench {
     board: Arc<Mutex<Board>>,
-    port: String,
+    pub port: String,
     plugged: Arc<Mutex<bool>>,
     /// Its answers come so much later, seconds.
     late_s: Arc<Mutex<f64>>,
@@ -37,7 +37,7 @@ struct Bench {
 }
 
 impl Bench {
-    fn new() -> Self {
+    pub fn new() -> Self {
         let plug = Plug::new().unwrap();
         let mut board = Board::of_seed(1);
         board.records = false;
@@ -49,7 +49,7 @@ impl Bench {
         Self { board, port, plugged, late_s, player }
     }
 
-    fn look<T>(&self, at: impl FnOnce(&mut Board) -> T) -> T {
+    pub fn look<T>(&self, at: impl FnOnce(&mut Board) -> T) -> T {
         at(&mut self.board.lock().unwrap())
     }
 
@@ -57,7 +57,7 @@ impl Bench {
         self.look(|board| board.steppers.values().map(|it| it.position).collect())
     }
 
-    fn args(&self, words: &str) -> String {
+    pub fn args(&self, words: &str) -> String {
         format!(
             "{words} --machine klipper:{} --machine board.toml --trace t.jsonl --force",
             self.port

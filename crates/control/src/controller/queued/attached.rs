@@ -11,7 +11,7 @@ use crate::session::DrivenBy;
 use kerf_driver_klipper::board::Options;
 use kerf_journal::facts::Fact;
 use kerf_machine::{Configuration, Driven, Machine};
-use kerf_program::{Axes, AxisSet, HostError};
+use kerf_program::{Axes, HostError};
 use kerf_transport::{Address, Line};
 use kerf_workspace::{Firmware, Workspace};
 use std::cell::RefCell;
@@ -110,31 +110,42 @@ impl Attached {
     ) -> Result<(Self, AttachReport), String> {
         let named = |why: String| format!("{}: {why}", socket.name);
         let machine = session.configuration();
-        let wiring = Wiring::of(&machine).map_err(named)?;
-        let motors = wiring.motors.len();
-        let homes = wiring.homes.iter().fold(AxisSet::EMPTY, |all, home| all.with(home.axis));
+        let homes = Wiring::of(&machine).map_err(named)?.homing();
         if first.home && homes.is_empty() {
             return Err(named(
                 "no axis has a home switch (homing.x.fitted, board.home_x): set its location by hand"
                     .into(),
             ));
         }
-        let mut queued = socket.open(&machine, first.unlock)?;
+        let queued = socket.open(&machine, first.unlock)?;
+        let (attached, told) = Self::of(socket, queued, session, workspace);
+        if first.home {
+            session.memory.position = attached.queued.borrow_mut().comes_home(is_stopped)?;
+            homes.iter().for_each(|axis| session.homed.insert(axis));
+            workspace.trusts_location(homes);
+        }
+        Ok((attached, told))
+    }
+
+    /// Takes a board that is ready, and has the session stand where its counts say.
+    pub fn of(
+        socket: Socket,
+        mut queued: Queued,
+        session: &mut Session,
+        workspace: &mut Workspace,
+    ) -> (Self, AttachReport) {
         let mut told = AttachReport::default();
-        let version = &queued.facts().name;
+        let (version, motors) = (&queued.facts().name, queued.wiring.motors.len());
         told.notes.push(format!("{}: {version}, motors: {motors}", socket.name));
-        told.notes.extend(queued.priority.take().map(named));
+        let priority = queued.priority.take();
+        told.notes.extend(priority.map(|why| format!("{}: {why}", socket.name)));
         let abandoned = workspace.stored.get(DRIVEN) == Some(&*socket.port);
         let counts = find_place(&socket, &mut queued, abandoned, (session, workspace), &mut told);
         // Outputs and switches of the simulated machine are none of this one's.
         session.machine = None;
-        session.driven_by = Some(DrivenBy { name: socket.name.clone(), homes, pace: None });
-        if first.home {
-            session.memory.position = queued.comes_home(is_stopped)?;
-            homes.iter().for_each(|axis| session.homed.insert(axis));
-            workspace.trusts_location(homes);
-        }
-        Ok((Self { socket, counts, queued: Rc::new(RefCell::new(queued)) }, told))
+        let (name, homes) = (socket.name.clone(), queued.wiring.homing());
+        session.driven_by = Some(DrivenBy { name, homes, pace: None });
+        (Self { socket, counts, queued: Rc::new(RefCell::new(queued)) }, told)
     }
 
     /// Opens the port once more, after the board was lost or has shut down.

@@ -13,6 +13,8 @@ use std::collections::VecDeque;
 
 /// Length of a piece, seconds.
 const PIECE_S: f64 = 0.02;
+/// Length of a piece in which Z follows an input or a reading, seconds: what is told meanwhile changes the next one.
+const FOLLOWED_S: f64 = 0.005;
 /// Times closer than this are the same, seconds: the rounding of a sum.
 const SAME_S: f64 = 1e-9;
 
@@ -160,7 +162,8 @@ impl Feeder {
         let from_s = self.begins_s()?;
         let front = self.followed.front()?;
         let [_, end_s] = front.span_s();
-        let to_s = (from_s + PIECE_S).min(end_s).min(self.limit_s);
+        let piece_s = if self.height.is_some() { FOLLOWED_S } else { PIECE_S };
+        let to_s = (from_s + piece_s).min(end_s).min(self.limit_s);
         let is_whole = to_s >= end_s;
         if to_s <= from_s + SAME_S && !is_whole {
             return None;

@@ -137,6 +137,11 @@ impl Wiring {
         self.motors.iter().fold(AxisSet::EMPTY, |axes, motor| axes.with(motor.axis))
     }
 
+    /// Axes that have a home switch.
+    pub fn homing(&self) -> AxisSet {
+        self.homes.iter().fold(AxisSet::EMPTY, |axes, home| axes.with(home.axis))
+    }
+
     /// An input is on, with the states of the row and the modes that hold; one that is not wired is off.
     pub fn is_on(&self, pressed: u8, io: &IoModes, number: u8) -> bool {
         let bit = self.inputs.iter().position(|it| it.number == number);
