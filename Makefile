@@ -31,11 +31,13 @@ check: prepare console-check ## formatting, lints and the project's own rules
 	$(CARGO) clippy --workspace --all-targets --locked -- -D warnings
 	$(XTASK) check
 
-soak: prepare ## RUNS (1000000) random runs in the simulation, the process killed KILLS (1000) times, boards on a faulty line TRIES (34) times
+soak: prepare ## RUNS (1000000) random runs in the simulation, the process and the host of a board killed KILLS (1000) times, boards on a faulty line TRIES (34) times
 	KERF_SIM_RUNS=$${RUNS:-1000000} KERF_SIM_SEED=$${SEED:-1} \
 	  $(CARGO) test --release --locked --package kerf-ledger --test all simulated::whole_runs -- --nocapture
 	KERF_KILLS=$${KILLS:-1000} KERF_SEED=$${SEED:-1} \
 	  $(CARGO) test --locked --package kerf --test all killed:: -- --nocapture
+	KERF_KILLS=$${KILLS:-1000} KERF_SEED=$${SEED:-1} \
+	  $(CARGO) test --release --locked --package kerf-control --test all queued_killed:: -- --nocapture
 	TRIES=$${TRIES:-34} $(CARGO) test --release --locked --package kerf-driver-klipper --test all motion:: -- --nocapture
 
 traces: prepare console ## hashes of the traces of the corpus, the examples and 2,000 random runs: recorded the first time, then compared
