@@ -81,7 +81,7 @@ fn mailbox(wiring: &Wiring, board: &Board, now_s: f64) -> Mailbox {
     let (deadline_s, error_s) = (board.deadline_s, 1e-6 * board.error_us);
     // Somebody has looked why a board is shut down.
     let clears = now_s > 0.0;
-    let options = Options { linger_s: 1.0, error_s, deadline_s, clears, ..Options::default() };
+    let options = Options { linger_s: 1.0, error_s, deadline_s, clears };
     let crew = Crew::new(&wiring.setup, &wiring.pins.boards, options, now_s);
     Mailbox::new(crew.expect("a setup"))
 }

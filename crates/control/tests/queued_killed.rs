@@ -161,7 +161,7 @@ fn uninterrupted() -> f64 {
 /// Kills hosts of one run until it is over; tells how many were killed, how many took it up, and how much was made again, mm.
 fn survives(seed: u64, takes_s: f64, judge: &Judge) -> (u32, u32, f64) {
     let mut dice = Dice(seed);
-    let share = if seed % 2 == 0 { 0.01 } else { 0.0 };
+    let share = if seed.is_multiple_of(2) { 0.01 } else { 0.0 };
     let bench = Bench::new(seed, Faults::all(share / 6.0));
     let (mut killed, mut taken_up) = (0, 0);
     loop {

@@ -209,8 +209,7 @@ fn never(_: &Fake) -> Levels {
 /// Z comes to a limit with its ramp and stays there: while the input is always on, and while its cable is torn.
 #[test]
 fn vh_leads_z_no_farther_than_its_limits() {
-    let moments: [(fn(&Fake) -> Levels, i64); 2] = [(always, -2000), (never, 1500)];
-    for (levels, limit) in moments {
+    for (levels, limit) in [(always as fn(&Fake) -> Levels, -2000), (never, 1500)] {
         let (z, x, believed_mm) = rides_on(LIMITED, levels, "VS,100\nVN,,,1\nVH,1\nMX,400\n");
         assert_eq!((z.last().unwrap().1, believed_mm), (limit, limit as f64 / 100.0));
         assert!(z.iter().all(|(_, z)| z.abs() <= limit.abs()), "{limit}");
