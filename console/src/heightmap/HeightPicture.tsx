@@ -8,7 +8,8 @@ const readable = 9;
 const width = 320;
 
 /** The colour of a share of the range: blue is low, red is high. */
-const colour = (share: number): string => `hsl(${240 - 240 * share} 70% 72%)`;
+const colour = (share: number): string =>
+  `color-mix(in hsl decreasing hue, var(--height-high) ${100 * share}%, var(--height-low))`;
 
 /** A grid of heights as coloured fields with numbers, as they lie on the table. */
 export function HeightPicture({ places }: { places: readonly Place[] }) {
@@ -34,7 +35,7 @@ export function HeightPicture({ places }: { places: readonly Place[] }) {
               y={top}
               width={w}
               height={h}
-              fill={colour(shareOf(z, lowest, highest))}
+              style={{ fill: colour(shareOf(z, lowest, highest)) }}
             />
             {numbers && (
               <text x={left + w / 2} y={top + h / 2}>

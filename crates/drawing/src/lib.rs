@@ -32,7 +32,7 @@ pub use array::{ArrayLevel, Arrays, Corner, GapError, Level, Order};
 pub use drawing::{CommentError, Drawing, MAX_COMMENT_LENGTH, MAX_COMMENTS, bounds_of};
 pub use editor::Editor;
 pub use group::Group;
-pub use nesting::{Nesting, crosses, post_order};
+pub use nesting::{Nesting, crosses, inside_first};
 pub use op::{
     Change, ClauseError, Clearing, ENTRIES, Entry, How, OpError, Operation, Outcome, Part, Pattern,
     Picking, Picks, Sequencing, Value, Variant, script, spot,

@@ -61,18 +61,24 @@ impl Nesting {
     /// All shapes in an order in which whatever lies inside comes first, and siblings in the order
     /// that `sort` puts them into.
     pub fn inside_first(&self, sort: impl FnMut(&mut Vec<usize>)) -> Vec<usize> {
-        let outside = self.parent.len();
-        let mut children: Vec<Vec<usize>> = vec![Vec::new(); outside + 1];
-        for (n, parent) in self.parent.iter().enumerate() {
-            children[parent.unwrap_or(outside)].push(n);
-        }
-        children.iter_mut().for_each(sort);
-        post_order(&children, outside)
+        inside_first(&self.parent, sort)
     }
 }
 
+/// All shapes in an order in which whatever lies inside comes before its holder, and those with the same holder in the
+/// order that `sort` puts them into; for each shape its holder.
+pub fn inside_first(holders: &[Option<usize>], sort: impl FnMut(&mut Vec<usize>)) -> Vec<usize> {
+    let outside = holders.len();
+    let mut held: Vec<Vec<usize>> = vec![Vec::new(); outside + 1];
+    for (shape, holder) in holders.iter().enumerate() {
+        held[holder.unwrap_or(outside)].push(shape);
+    }
+    held.iter_mut().for_each(sort);
+    post_order(&held, outside)
+}
+
 /// The nodes below `root`, children before parents, without recursion: nests may be deep.
-pub fn post_order(children: &[Vec<usize>], root: usize) -> Vec<usize> {
+fn post_order(children: &[Vec<usize>], root: usize) -> Vec<usize> {
     let mut order = Vec::with_capacity(children.len());
     let mut open = vec![root];
     while let Some(node) = open.pop() {

@@ -104,7 +104,7 @@ const HAL: &[(u16, &str)] = &[
     (345, "Feed of the way up between the two touches of a tool."),
     (
         346,
-        "Bits of M6: 1 goes back to its place behind it, 2 has the tool put in at G30, 4 comes off the plate quickly.",
+        "Bits of M6: 1 goes back to its place afterwards, 2 has the tool put in at G30, 4 comes off the plate quickly.",
     ),
     (347, "Share of its travel by which the two home switches of an axis may lie apart."),
     (348, "Least distance that the share of $347 may come to."),

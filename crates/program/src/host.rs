@@ -1,6 +1,6 @@
 //! The requests of an interpreter to the world around it.
 //!
-//! Preview, a real run, a test, the debugger and the language server differ only in the host.
+//! Preview, a real run and a test differ only in the host.
 
 use crate::AXES;
 use crate::settings::LinearUnit;

@@ -8,7 +8,7 @@
 //! ```
 
 use crate::warning::Warning;
-use kerf_drawing::{CutDepth, Drawing, GroupSettings, Kind, Shape, post_order};
+use kerf_drawing::{CutDepth, Drawing, GroupSettings, Kind, Shape, inside_first};
 use kerf_geom::{Bounds2, BoxTree, Position};
 
 /// The places of the shapes in the order in which they are cut; any order where nobody waits for it any more.
@@ -22,7 +22,8 @@ pub(crate) fn cutting_order(
         warnings.extend(too_early(&holders));
         return (0..drawing.shapes.len()).collect();
     }
-    inside_first(&holders)
+    // Every shape stays at its place but for those that it holds, which come before it.
+    inside_first(&holders, |_| ())
 }
 
 /// The closed shapes that cut free what lies in them.
@@ -136,22 +137,13 @@ fn late(holders: &[Option<usize>]) -> Vec<(usize, usize, usize)> {
     told.filter_map(|(outer, first)| first.map(|(inner, count)| (outer, inner, count))).collect()
 }
 
-/// Every shape at its place, but what a shape holds comes before it.
-fn inside_first(holders: &[Option<usize>]) -> Vec<usize> {
-    let outside = holders.len();
-    let mut held = vec![Vec::new(); outside + 1];
-    for (shape, holder) in holders.iter().enumerate() {
-        held[holder.unwrap_or(outside)].push(shape);
-    }
-    post_order(&held, outside)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn what_is_held_comes_before_its_holder_and_all_else_keeps_its_place() {
+        let inside_first = |holders: &[_]| inside_first(holders, |_| ());
         assert_eq!(inside_first(&[None, Some(0), Some(0), None]), [1, 2, 0, 3]);
         assert_eq!(inside_first(&[Some(1), None, Some(1), Some(2)]), [0, 3, 2, 1]);
         assert_eq!(inside_first(&[None, None, None]), [0, 1, 2]);

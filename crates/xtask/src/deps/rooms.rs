@@ -84,7 +84,7 @@ pub const ROOMS: &[Room] = &[
     at(8.0, Half::Edge, "kerf-ledger"),
     at(8.0, Half::Edge, "kerf-bench"),
     at(8.0, Half::Edge, "xtask"),
-    // The command line starts the server and the language server.
+    // The command line starts the server.
     at(9.0, Half::Edge, "kerf"),
 ];
 

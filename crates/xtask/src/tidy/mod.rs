@@ -1,5 +1,6 @@
 //! Everything a reader would trip over.
 
+mod decisions;
 mod dependencies;
 mod examples;
 mod functions;
@@ -22,6 +23,7 @@ pub use sources::long_files;
 pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
     Ok([
         sources::check(tree),
+        decisions::check(tree),
         dependencies::check(tree)?,
         examples::check(tree),
         functions::check(tree),

@@ -60,5 +60,14 @@ export const cardSentences: Readonly<Record<string, string>> = {
   "where it stands cannot be kept: {0}": "wo sie steht, lässt sich nicht aufheben: {0}",
   "{0} runs {1} from its own card: it is followed":
     "{0} führt {1} von ihrer eigenen Karte aus: das wird verfolgt",
+  "{0}; the controller passed over it": "{0}; die Steuerung überging sie",
+  "there is no file {0} on its card": "auf ihrer Karte ist keine Datei {0}",
+  "the controller ended it before all of it was there":
+    "die Steuerung brach ab, bevor alles da war",
+  "the controller refused it: error {0}": "die Steuerung lehnte es ab: Fehler {0}",
+  "{0} of {1} bytes have come there": "{0} von {1} Bytes sind dort angekommen",
+  "it cannot open the file: its card is missing or locked, or the folder is not there":
+    "sie kann die Datei nicht öffnen: ihre Karte fehlt oder ist gesperrt, oder den Ordner gibt es nicht",
+  "its card is full": "ihre Karte ist voll",
   "{0} cannot be said in G-code": "{0} lässt sich nicht in G-Code sagen",
 };

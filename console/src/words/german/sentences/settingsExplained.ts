@@ -177,8 +177,8 @@ export const settingsExplained: Readonly<Record<string, string>> = {
     "Vorschub der ersten Berührung, wenn ein Werkzeug vermessen wird.",
   "Feed of the way up between the two touches of a tool.":
     "Vorschub des Wegs nach oben zwischen den beiden Berührungen eines Werkzeugs.",
-  "Says where a tool is changed, and whether it goes back to its place afterwards.":
-    "Sagt, wo ein Werkzeug gewechselt wird und ob es danach an seinen Ort zurückkehrt.",
+  "Bits of M6: 1 goes back to its place afterwards, 2 has the tool put in at G30, 4 comes off the plate quickly.":
+    "Bits von M6: 1 fährt danach an seinen Ort zurück, 2 lässt das Werkzeug bei G30 einsetzen, 4 hebt schnell von der Platte ab.",
   "Share of its travel by which the two home switches of an axis may lie apart.":
     "Anteil ihres Verfahrwegs, um den die beiden Referenzschalter einer Achse auseinander liegen dürfen.",
   "Least distance that the share of $347 may come to.":

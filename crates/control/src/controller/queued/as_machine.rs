@@ -149,8 +149,7 @@ impl Machine for Queued {
         let behind = self.sensor.tells(&self.name, self.feeder.height.as_ref());
         self.told_drivers.take().or(behind).or_else(|| {
             let moves = matches!(self.state, State::Moving(..));
-            let changed = moves.then(|| self.lead.changed(self.progress.lead_s)).flatten()?;
-            Some(format!("{}: {changed}", self.name))
+            moves.then(|| self.lead.changed(&self.name, self.progress.lead_s)).flatten()
         })
     }
 

@@ -35,8 +35,8 @@ impl RunLead {
         Self::least_s(lead_s) + (SPARE * lead_s).max(SAFETY * self.stall_s)
     }
 
-    /// A sentence about the lead of the board, which follows its stalls, where it is another than was told. Seconds.
-    pub fn changed(&mut self, [stall_s, lead_s]: [f64; 2]) -> Option<String> {
+    /// A sentence about the lead of a board of this name, which follows its stalls, where it is another than was told. Seconds.
+    pub fn changed(&mut self, name: &str, [stall_s, lead_s]: [f64; 2]) -> Option<String> {
         if lead_s <= 0.0 {
             return None;
         }
@@ -52,7 +52,7 @@ impl RunLead {
         };
         let [stall_ms, lead_ms] = [stall_s, lead_s].map(|time_s| time_s * 1e3);
         Some(format!(
-            "{why} {stall_ms:.0} ms; motion is sent {lead_ms:.0} ms ahead from now on, and a hold begins as much later"
+            "{name}: {why} {stall_ms:.0} ms; motion is sent {lead_ms:.0} ms ahead from now on, and a hold begins as much later"
         ))
     }
 }
