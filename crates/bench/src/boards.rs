@@ -1,6 +1,6 @@
 //! The host of a board with step queues at 300,000 steps a second of three axes together: `steps-3x300k`.
 //!
-//! The board is none, in time that is none; only what the host does is measured: finding the steps of a plan, making
+//! The board is a fake, in simulated time; only what the host does is measured: finding the steps of a plan, making
 //! commands of them, and the frames both ways.
 
 use anyhow::{Context, Result, ensure};

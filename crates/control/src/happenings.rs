@@ -1,6 +1,6 @@
 //! Passes on what the machine logged: to those who follow the run, and to the machine that makes it.
 
-use crate::heights;
+use crate::told_heights;
 use crate::world::World;
 use kerf_machine::Actuator;
 use kerf_machine::lines::{Input, Output};
@@ -66,7 +66,7 @@ impl World<'_> {
                 let off = error_mm.abs() > self.machine_is.height.display_accuracy_mm;
                 Event::Height { z: z_mm, error: error_mm, reading, off, surface, top, t }
             }
-            What::Carried { z_mm } => heights::event(self.heights.at(z_mm), t),
+            What::Carried { z_mm } => told_heights::event(self.heights.at(z_mm), t),
             What::LaserFrequency(hz) => Event::LaserHz { hz, t },
             What::Output { number, on, why } => Event::Output {
                 n: number,

@@ -14,7 +14,7 @@ use crate::hand_words::Jog;
 use crate::nudge::Nudge;
 use crate::run_end::RunEnd;
 use crate::stopped_spindles::StoppedSpindles;
-use crate::stopping::Stops;
+use crate::stopping::RunStops;
 use kerf_diag::Code;
 use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_model::HaltCause;
@@ -38,7 +38,7 @@ pub(crate) enum Said {
     Words(String),
 }
 
-impl<I: Interpreter> Stops<'_, I> {
+impl<I: Interpreter> RunStops<'_, I> {
     /// The operator stopped the machine, which stands; unless the run goes on.
     pub(crate) fn hold(&mut self) -> Result<(), RunEnd> {
         let settings = StopSettings::OPENSBP;

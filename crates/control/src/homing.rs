@@ -3,7 +3,7 @@
 
 use crate::by_hand::Driven;
 use crate::run_end::RunEnd;
-use crate::stopping::Stops;
+use crate::stopping::RunStops;
 use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_machine::homing::{self, Axle, Homed, NotFound, Rig, Sought, Which};
 use kerf_machine::lines::Input;
@@ -17,7 +17,7 @@ use kerf_program::{
 use kerf_trace::Event;
 
 /// Homes axes that have a switch, and tells how far the last home was off.
-pub(crate) fn home<I: Interpreter>(stops: &mut Stops<'_, I>, axes: AxisSet) -> Found {
+pub(crate) fn home<I: Interpreter>(stops: &mut RunStops<'_, I>, axes: AxisSet) -> Found {
     if stops.station.drive.homes() {
         return home_by_itself(stops);
     }
@@ -45,7 +45,7 @@ pub(crate) fn home<I: Interpreter>(stops: &mut Stops<'_, I>, axes: AxisSet) -> F
 }
 
 /// Has a controller go home that finds it by itself, with all its axes.
-fn home_by_itself<I: Interpreter>(stops: &mut Stops<'_, I>) -> Found {
+fn home_by_itself<I: Interpreter>(stops: &mut RunStops<'_, I>) -> Found {
     let axes = stops.station.world.homes;
     let mut found = Found { lost: axes, ..Found::default() };
     stops.station.world.workspace.tape.moves(true, stops.station.world.placed());
@@ -77,7 +77,7 @@ fn home_by_itself<I: Interpreter>(stops: &mut Stops<'_, I>) -> Found {
 }
 
 fn misses_switch<I: Interpreter>(
-    stops: &Stops<'_, I>,
+    stops: &RunStops<'_, I>,
     missing: &NotFound,
     axis: Option<Axis>,
 ) -> RunEnd {
@@ -90,7 +90,7 @@ fn misses_switch<I: Interpreter>(
     RunEnd { status: Status::Failed, diagnostic: Some(Box::new(why)) }
 }
 
-fn tell_homed<I: Interpreter>(stops: &mut Stops<'_, I>, homed: &[Homed]) {
+fn tell_homed<I: Interpreter>(stops: &mut RunStops<'_, I>, homed: &[Homed]) {
     let t = stops.station.world.now();
     for it in homed {
         let axis = stops.station.world.machine_is.motors.axis_name(it.axis);
@@ -100,7 +100,7 @@ fn tell_homed<I: Interpreter>(stops: &mut Stops<'_, I>, homed: &[Homed]) {
 
 /// Asks whether to home first; `Ended` goes on without.
 pub(crate) fn asked<I: Interpreter>(
-    stops: &mut Stops<'_, I>,
+    stops: &mut RunStops<'_, I>,
     question: Option<Question>,
 ) -> Result<(), RunEnd> {
     let Some(question) = question else { return Ok(()) };
@@ -115,7 +115,7 @@ pub(crate) fn asked<I: Interpreter>(
 /// Homes axes. An axis that was homed before keeps the numbers of its zero points, which count from
 /// home; of one that was not they stay where they were on the table.
 pub(crate) fn find_home<I: Interpreter>(
-    stops: &mut Stops<'_, I>,
+    stops: &mut RunStops<'_, I>,
     axes: AxisSet,
     before: AxisSet,
 ) -> Found {
@@ -133,7 +133,7 @@ pub(crate) fn find_home<I: Interpreter>(
     found
 }
 
-pub(crate) fn tell_end<I: Interpreter>(stops: &mut Stops<'_, I>, over: RunEnd) -> RunEnd {
+pub(crate) fn tell_end<I: Interpreter>(stops: &mut RunStops<'_, I>, over: RunEnd) -> RunEnd {
     if let Some(why) = &over.diagnostic {
         stops.station.world.tell_diagnostic((**why).clone());
     }
@@ -157,7 +157,7 @@ pub(crate) struct Found {
 
 /// The machine as the homing procedure moves it.
 struct OnMachine<'a, 'b, I> {
-    stops: &'a mut Stops<'b, I>,
+    stops: &'a mut RunStops<'b, I>,
     settings: Settings,
     /// The axis that is being homed.
     axis: Option<Axis>,

@@ -10,7 +10,7 @@
 
 use crate::hand_words::Aside;
 use crate::run_end::RunEnd;
-use crate::stopping::Stops;
+use crate::stopping::RunStops;
 use kerf_machine::state::{Effect, State};
 use kerf_program::{Answer, Axis, Button, Interpreter};
 
@@ -21,7 +21,7 @@ const fn goes_on(answer: &Answer) -> bool {
 
 /// The tool is moved while a program waits; where it comes back to is kept. What ends the run meanwhile is told
 /// by [`Stops::heeded`].
-pub(crate) fn set_aside<I: Interpreter>(stops: &mut Stops<'_, I>, aside: Aside) {
+pub(crate) fn set_aside<I: Interpreter>(stops: &mut RunStops<'_, I>, aside: Aside) {
     if stops.station.world.model.draws() {
         return;
     }
@@ -49,13 +49,13 @@ pub(crate) fn set_aside<I: Interpreter>(stops: &mut Stops<'_, I>, aside: Aside) 
 }
 
 /// Brings the tool back after the question during which the operator moved it.
-pub(crate) fn goes_back_after<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), RunEnd> {
+pub(crate) fn goes_back_after<I: Interpreter>(stops: &mut RunStops<'_, I>) -> Result<(), RunEnd> {
     let goes_on = stops.station.world.answer.as_ref().is_some_and(goes_on);
     if goes_on { back_in_the_cut(stops) } else { Ok(()) }
 }
 
 /// The tool goes back to where the program left it, if it was taken away.
-pub(crate) fn back_in_the_cut<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), RunEnd> {
+pub(crate) fn back_in_the_cut<I: Interpreter>(stops: &mut RunStops<'_, I>) -> Result<(), RunEnd> {
     if !std::mem::take(&mut stops.away) {
         return Ok(());
     }
@@ -66,7 +66,7 @@ pub(crate) fn back_in_the_cut<I: Interpreter>(stops: &mut Stops<'_, I>) -> Resul
 }
 
 /// The way back is no lower than Safe-Z, nor than where the tool is.
-fn come_back_over<I: Interpreter>(stops: &mut Stops<'_, I>) {
+fn come_back_over<I: Interpreter>(stops: &mut RunStops<'_, I>) {
     let safe_mm = stops.station.lift_mm().unwrap_or(f64::NEG_INFINITY);
     stops.kept.lifted_mm = safe_mm.max(stops.station.world.model.position()[Axis::Z]);
 }

@@ -12,7 +12,7 @@
 //! told where it was.
 
 use crate::run_end::{Break, RunEnd};
-use crate::stopping::Stops;
+use crate::stopping::RunStops;
 use kerf_machine::lines::Output;
 use kerf_model::WasOn;
 use kerf_program::{
@@ -26,7 +26,7 @@ const LAST_SHARE: f64 = 1.0 - 1e-9;
 
 /// Brings the machine back to where the run was, before the rest that was not made; or lets the
 /// program do it.
-pub(crate) fn take_up<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), Break> {
+pub(crate) fn take_up<I: Interpreter>(stops: &mut RunStops<'_, I>) -> Result<(), Break> {
     if !stops.station.is_taken_up() {
         return Ok(());
     }
@@ -47,7 +47,7 @@ pub(crate) fn take_up<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), Br
 }
 
 /// The program finds its way back from where the machine stands.
-fn hand_over<I: Interpreter>(stops: &mut Stops<'_, I>, from: Axes) -> Result<Break, RunEnd> {
+fn hand_over<I: Interpreter>(stops: &mut RunStops<'_, I>, from: Axes) -> Result<Break, RunEnd> {
     let began = stops.station.world.model.position();
     let motion = stops.station.stack.next_number();
     // What was on comes on by the program's own way back.
@@ -65,7 +65,7 @@ fn hand_over<I: Interpreter>(stops: &mut Stops<'_, I>, from: Axes) -> Result<Bre
 /// Asks the operator before anything turns or goes back. The question carries how far he has nudged
 /// the workpiece.
 fn whether_ready<I: Interpreter>(
-    stops: &mut Stops<'_, I>,
+    stops: &mut RunStops<'_, I>,
     was_on: &WasOn,
 ) -> (Result<(), RunEnd>, Axes) {
     let (ready, nudged) = stops.until_resumed(&ready_question(was_on));
@@ -80,7 +80,7 @@ fn whether_ready<I: Interpreter>(
 }
 
 /// Leaves out what was made of the first move that waits.
-fn skip<I: Interpreter>(stops: &mut Stops<'_, I>, share: f64) {
+fn skip<I: Interpreter>(stops: &mut RunStops<'_, I>, share: f64) {
     let waiting = &mut stops.station.stack.waiting;
     let Some(first) = (share > 0.0).then(|| waiting.pop_front()).flatten() else { return };
     let (made, rest) = first.split(share.min(LAST_SHARE));
@@ -89,7 +89,7 @@ fn skip<I: Interpreter>(stops: &mut Stops<'_, I>, share: f64) {
     stops.station.world.model.put(rest.from);
 }
 
-fn go_back<I: Interpreter>(stops: &mut Stops<'_, I>, from: Axes) -> Result<(), RunEnd> {
+fn go_back<I: Interpreter>(stops: &mut RunStops<'_, I>, from: Axes) -> Result<(), RunEnd> {
     let ahead = stops.station.mover.position();
     let to = stops.station.world.model.position();
     let was_on = stops.station.world.tracked().restart(from);
@@ -115,7 +115,7 @@ fn go_back<I: Interpreter>(stops: &mut Stops<'_, I>, from: Axes) -> Result<(), R
 }
 
 /// Waits until every stop input is released.
-fn may_go_back<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), RunEnd> {
+fn may_go_back<I: Interpreter>(stops: &mut RunStops<'_, I>) -> Result<(), RunEnd> {
     stops.heed_emergency()?;
     let released = match stops.station.world.model.stop_input() {
         Some(n) if stops.station.cuts_power(n) => Err(stops.power_is_cut()),
@@ -129,7 +129,7 @@ fn may_go_back<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), RunEnd> {
 }
 
 /// Outputs come on again, and have the time that the machine gives a spindle to come to speed.
-fn switch_on<I: Interpreter>(stops: &mut Stops<'_, I>, was_on: &WasOn) {
+fn switch_on<I: Interpreter>(stops: &mut RunStops<'_, I>, was_on: &WasOn) {
     for number in &was_on.outputs {
         stops.station.world.model.output(*number, true, OutputReason::Program);
     }
@@ -142,7 +142,7 @@ fn switch_on<I: Interpreter>(stops: &mut Stops<'_, I>, was_on: &WasOn) {
     }
 }
 
-fn tell_taken_up<I: Interpreter>(stops: &mut Stops<'_, I>) {
+fn tell_taken_up<I: Interpreter>(stops: &mut RunStops<'_, I>) {
     let (file, line) =
         (stops.station.world.file(stops.station.last_move), stops.station.last_move.line);
     let text = match line {
@@ -157,7 +157,7 @@ fn tell_taken_up<I: Interpreter>(stops: &mut Stops<'_, I>) {
 }
 
 /// Goes above the place, no lower than the tool is now.
-fn approach<I: Interpreter>(stops: &mut Stops<'_, I>, to: Axes) {
+fn approach<I: Interpreter>(stops: &mut RunStops<'_, I>, to: Axes) {
     let mut over = to;
     over[Axis::Z] = to[Axis::Z].max(stops.station.world.model.position()[Axis::Z]);
     stops.go(MoveKind::Jog, over);
@@ -165,7 +165,7 @@ fn approach<I: Interpreter>(stops: &mut Stops<'_, I>, to: Axes) {
 
 /// The machine was stopped, and the program says what follows.
 pub(crate) fn taken<I: Interpreter>(
-    stops: &mut Stops<'_, I>,
+    stops: &mut RunStops<'_, I>,
     by: StoppedBy,
     at: &kerf_program::Halted,
 ) -> Break {

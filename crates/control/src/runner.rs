@@ -10,7 +10,7 @@ use crate::command_limit::CommandLimit;
 use crate::run_end::{Break, RunEnd};
 use crate::stack::READ_AHEAD;
 use crate::station::Station;
-use crate::stopping::Stops;
+use crate::stopping::RunStops;
 use crate::world::World;
 use crate::{Requests, lift_aside, reentry, table_limits};
 use kerf_diag::{Code, Diagnostic, Severity, SourcePlace};
@@ -31,7 +31,7 @@ pub(crate) type Restore<I> = fn(&I) -> Result<I, String>;
 
 /// One run.
 pub(crate) struct Runner<'a, I> {
-    pub stops: Stops<'a, I>,
+    pub stops: RunStops<'a, I>,
     /// Commands that were given and not taken yet.
     out: Vec<Sourced>,
     lines: u64,
@@ -54,7 +54,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         limits: LimitPolicy,
         lines: u64,
     ) -> Self {
-        let stops = Stops::new(Station::new(interpreter, world, requests), limits);
+        let stops = RunStops::new(Station::new(interpreter, world, requests), limits);
         let (out, bound) = (Vec::new(), CommandLimit::default());
         Self { stops, out, lines, watching: false, changed_s: 0.0, restore: None, bound }
     }

@@ -14,7 +14,7 @@ use crate::station::Station;
 use crate::trail::Trail;
 use crate::whole_run::WholeRun;
 use crate::world::World;
-use crate::{heights, homing, trail};
+use crate::{homing, told_heights, trail};
 use kerf_diag::Diagnostic;
 use kerf_journal::{Door, Placed, RunOptions, Work};
 use kerf_machine::{Configuration, Errand, Hand};
@@ -196,10 +196,10 @@ impl Session {
             self.tell_not_homed(machine, &options, sink);
             let law = sequence.follows_sheet();
             if law.is_none_or(|law| !driven.machine.borrow().facts().follows(&law)) {
-                heights::tell_no_sheet(&name, &sequence, &options, sink);
+                told_heights::tell_no_sheet(&name, &sequence, &options, sink);
             }
         }
-        let sheet = options.sheet.or_else(|| heights::planned_sheet(&sequence, preview));
+        let sheet = options.sheet.or_else(|| told_heights::planned_sheet(&sequence, preview));
         let settings =
             std::mem::replace(&mut self.memory.settings, (**sequence.settings()).clone());
         let frame = std::mem::take(&mut self.memory.frame);

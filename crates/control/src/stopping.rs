@@ -12,7 +12,7 @@ use kerf_diag::Code;
 use kerf_journal::LimitPolicy;
 use kerf_machine::Fault;
 use kerf_machine::lines::Input;
-use kerf_machine::state::{Effect, Event as Stopped, State, StopSettings};
+use kerf_machine::state::{Effect, Event as StateEvent, State, StopSettings};
 use kerf_program::{Axes, Axis, Interpreter, OutputReason, Sourced, Status};
 use kerf_sbp::SPINDLE_STATUS;
 use kerf_trace::{Event, flag};
@@ -33,7 +33,7 @@ pub(crate) struct ReturnPlace {
 }
 
 /// Stops of a run and the way on: the state of the machine, and the place to come back to.
-pub(crate) struct Stops<'a, I> {
+pub(crate) struct RunStops<'a, I> {
     pub station: Station<'a, I>,
     /// State of the machine. A job, or a move by hand, knows more of it.
     pub state: State,
@@ -48,7 +48,7 @@ pub(crate) struct Stops<'a, I> {
     pub limits: LimitPolicy,
 }
 
-impl<'a, I> Stops<'a, I> {
+impl<'a, I> RunStops<'a, I> {
     /// Makes the stops of a run that has not begun.
     pub fn new(station: Station<'a, I>, limits: LimitPolicy) -> Self {
         let (state, kept) = (State::Idle, ReturnPlace::default());
@@ -56,16 +56,19 @@ impl<'a, I> Stops<'a, I> {
     }
 }
 
-impl<I: Interpreter> Stops<'_, I> {
+impl<I: Interpreter> RunStops<'_, I> {
     /// Asks the table what follows on an event and does it. What is not in the table does not happen.
-    pub(crate) fn on(&mut self, event: Stopped, settings: StopSettings, why: &str) {
+    pub(crate) fn on(&mut self, event: StateEvent, settings: StopSettings, why: &str) {
         let Some(next) = self.state.on(event, settings) else { return };
         self.state = next.state;
         // What a run leaves on is settled before anybody is told that it is over.
         let (settled, others): (Vec<_>, Vec<_>) =
             next.effects.into_iter().partition(|effect| *effect == Effect::LeaveOutputs);
         settled.into_iter().for_each(|effect| self.carry_out(effect));
-        if !matches!(event, Stopped::Start | Stopped::Ready | Stopped::End | Stopped::Stop) {
+        if !matches!(
+            event,
+            StateEvent::Start | StateEvent::Ready | StateEvent::End | StateEvent::Stop
+        ) {
             let (state, t) = (next.state.name().into(), self.station.world.now());
             self.station.world.tell(&Event::State { state, why: why.into(), t });
         }
@@ -206,7 +209,7 @@ impl<I: Interpreter> Stops<'_, I> {
     /// on from there.
     pub(crate) fn power_is_cut(&mut self) -> RunEnd {
         let message = "emergency stop";
-        self.on(Stopped::PowerCut, StopSettings::OPENSBP, message);
+        self.on(StateEvent::PowerCut, StopSettings::OPENSBP, message);
         self.station.world.workspace.set_value(SPINDLE_STATUS, Some("0"));
         let hint = "home the machine, or set its locations, before anything is cut";
         self.station
@@ -220,10 +223,10 @@ impl<I: Interpreter> Stops<'_, I> {
         let settings = StopSettings { raise: false, ..StopSettings::OPENSBP };
         let why = "emergency stop";
         self.station.world.workspace.tape.stops_at_input(Input::EmergencyStop.number());
-        self.on(Stopped::EmergencyStop, settings, why);
+        self.on(StateEvent::EmergencyStop, settings, why);
         self.stop_spindles();
-        self.on(Stopped::Stands, settings, why);
-        self.on(Stopped::Abort, settings, why);
+        self.on(StateEvent::Stands, settings, why);
+        self.on(StateEvent::Abort, settings, why);
         self.station.world.workspace.tape.given_up(self.station.world.placed());
         let mut over = self.station.over(
             Status::Stopped,
@@ -240,7 +243,7 @@ impl<I: Interpreter> Stops<'_, I> {
     pub(crate) fn has_stalled(&mut self) -> RunEnd {
         let message = "a motor has stalled";
         self.station.world.model.stalled();
-        self.on(Stopped::Stall, StopSettings::OPENSBP, message);
+        self.on(StateEvent::Stall, StopSettings::OPENSBP, message);
         self.station.over(
             Status::Failed,
             Code::InputStop,
@@ -254,7 +257,7 @@ impl<I: Interpreter> Stops<'_, I> {
         if let Some(failure) = self.station.drive.fault().cloned() {
             return self.fails(&failure);
         }
-        self.on(Stopped::LinkLost, StopSettings::OPENSBP, "not connected");
+        self.on(StateEvent::LinkLost, StopSettings::OPENSBP, "not connected");
         self.station.not_connected(self.station.last_move)
     }
 
@@ -268,7 +271,7 @@ impl<I: Interpreter> Stops<'_, I> {
         if let Some(made_s) = failure.made_s {
             return self.breaks_off(failure, made_s);
         }
-        self.on(Stopped::LinkLost, StopSettings::OPENSBP, &failure.message);
+        self.on(StateEvent::LinkLost, StopSettings::OPENSBP, &failure.message);
         let at = failure.at.unwrap_or(self.station.last_move);
         let code = if failure.silent { Code::NotConnected } else { Code::Controller };
         self.station.over(Status::Failed, code, at, failure.message.clone()).hint(failure.hint)
@@ -277,10 +280,10 @@ impl<I: Interpreter> Stops<'_, I> {
     /// An input has stopped the machine at a moment, and it stands with everything off: the run ends there.
     fn breaks_off(&mut self, failure: &Fault, made_s: f64) -> RunEnd {
         let settings = StopSettings { raise: false, ..StopSettings::OPENSBP };
-        self.on(Stopped::EmergencyStop, settings, &failure.message);
+        self.on(StateEvent::EmergencyStop, settings, &failure.message);
         self.stop_spindles();
-        self.on(Stopped::Stands, settings, &failure.message);
-        self.on(Stopped::Abort, settings, &failure.message);
+        self.on(StateEvent::Stands, settings, &failure.message);
+        self.on(StateEvent::Abort, settings, &failure.message);
         self.station.world.workspace.tape.broke_off(made_s, self.station.world.placed());
         let at = failure.at.unwrap_or(self.station.last_move);
         let over = self.station.over(Status::Stopped, Code::InputStop, at, failure.message.clone());

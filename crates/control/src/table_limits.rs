@@ -3,7 +3,7 @@
 
 use crate::reentry::taken;
 use crate::run_end::{Break, RunEnd};
-use crate::stopping::Stops;
+use crate::stopping::RunStops;
 use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_journal::LimitPolicy;
 use kerf_machine::lines::Output;
@@ -17,7 +17,10 @@ const fn turns(output: u8) -> bool {
 }
 
 /// Refuses moves that would leave the table, and any while a stop input is active.
-pub(crate) fn check<I: Interpreter>(stops: &mut Stops<'_, I>, moves: &Queue) -> Result<(), RunEnd> {
+pub(crate) fn check<I: Interpreter>(
+    stops: &mut RunStops<'_, I>,
+    moves: &Queue,
+) -> Result<(), RunEnd> {
     let Some(first) = moves.front() else { return Ok(()) };
     if lists_limits(stops) {
         moves.iter().for_each(|made| list_violation(stops, &made));
@@ -34,7 +37,7 @@ pub(crate) fn check<I: Interpreter>(stops: &mut Stops<'_, I>, moves: &Queue) -> 
 
 /// A limit switch that is on already when a file begins to move, or whose wire is broken, stops it as one that comes
 /// on the way. By hand the tool may be moved away from it.
-pub(crate) fn heed_limit<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), Break> {
+pub(crate) fn heed_limit<I: Interpreter>(stops: &mut RunStops<'_, I>) -> Result<(), Break> {
     let by_hand = stops.station.world.typed_files > 0 || stops.station.is_open_for_take_up();
     let Some(input) = stops.station.world.model.limit_input().filter(|_| !by_hand) else {
         return Ok(());
@@ -50,7 +53,7 @@ pub(crate) fn heed_limit<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(),
 
 /// Refuses motion without a controller and while a stop input is active. A run that has not moved
 /// yet does not begin; another waits until the input is released.
-pub(crate) fn may_move<I: Interpreter>(stops: &mut Stops<'_, I>, at: At) -> Result<(), RunEnd> {
+pub(crate) fn may_move<I: Interpreter>(stops: &mut RunStops<'_, I>, at: At) -> Result<(), RunEnd> {
     if stops.station.is_open_for_take_up() {
         return Ok(());
     }
@@ -73,7 +76,7 @@ pub(crate) fn may_move<I: Interpreter>(stops: &mut Stops<'_, I>, at: At) -> Resu
 
 /// The emergency stop is pressed where something is about to move or to turn: a run that has not moved yet
 /// does not begin.
-fn ended_by_press<I: Interpreter>(stops: &mut Stops<'_, I>, at: At) -> RunEnd {
+fn ended_by_press<I: Interpreter>(stops: &mut RunStops<'_, I>, at: At) -> RunEnd {
     if stops.station.world.tally.moves > 0 {
         stops.station.world.workspace.tape.stood(1.0);
         return stops.emergency();
@@ -84,7 +87,7 @@ fn ended_by_press<I: Interpreter>(stops: &mut Stops<'_, I>, at: At) -> RunEnd {
 }
 
 /// A file whose outputs come on when it starts does not start while a stop is active.
-pub(crate) fn may_begin<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), RunEnd> {
+pub(crate) fn may_begin<I: Interpreter>(stops: &mut RunStops<'_, I>) -> Result<(), RunEnd> {
     stops.station.world.model.begin_lines();
     if !stops.station.world.model.switches_on_at_start() || stops.station.interpreter.takes_stops()
     {
@@ -97,7 +100,7 @@ pub(crate) fn may_begin<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), 
     input.map_or(Ok(()), |input| Err(forbids(stops, input, At::default())))
 }
 
-fn forbids<I: Interpreter>(stops: &Stops<'_, I>, input: u8, at: At) -> RunEnd {
+fn forbids<I: Interpreter>(stops: &RunStops<'_, I>, input: u8, at: At) -> RunEnd {
     let active = format!("stop input {input} is active: stop circuit open, nothing may move");
     let message = stops.station.stop_input_message(active);
     stops.station.over(Status::Stopped, Code::InputStop, at, message)
@@ -105,7 +108,7 @@ fn forbids<I: Interpreter>(stops: &Stops<'_, I>, input: u8, at: At) -> RunEnd {
 
 /// Tells whether a move of a stack that moves already would leave the table: whatever comes before it is
 /// made first, and then it is a stack of its own, about which the operator is asked.
-pub(crate) fn leaves_table<I: Interpreter>(stops: &mut Stops<'_, I>, made: &Move) -> bool {
+pub(crate) fn leaves_table<I: Interpreter>(stops: &mut RunStops<'_, I>, made: &Move) -> bool {
     if stops.station.stack.running.is_none() {
         return false;
     }
@@ -117,11 +120,11 @@ pub(crate) fn leaves_table<I: Interpreter>(stops: &mut Stops<'_, I>, made: &Move
 }
 
 /// Tells whether moves beyond the table are listed without a question, as in a preview.
-fn lists_limits<I: Interpreter>(stops: &Stops<'_, I>) -> bool {
+fn lists_limits<I: Interpreter>(stops: &RunStops<'_, I>) -> bool {
     stops.limits == LimitPolicy::List || stops.station.world.model.draws()
 }
 
-fn list_violation<I: Interpreter>(stops: &mut Stops<'_, I>, made: &Move) {
+fn list_violation<I: Interpreter>(stops: &mut RunStops<'_, I>, made: &Move) {
     if let Some(violation) = stops.station.world.model.first_outside(std::slice::from_ref(made)) {
         let message = limit_message(stops, &violation);
         let place = SourcePlace::line(stops.station.world.file(made.at), made.at.line);
@@ -130,12 +133,15 @@ fn list_violation<I: Interpreter>(stops: &mut Stops<'_, I>, made: &Move) {
     }
 }
 
-fn first_outside<I: Interpreter>(stops: &Stops<'_, I>, moves: &Queue) -> Option<(At, Violation)> {
+fn first_outside<I: Interpreter>(
+    stops: &RunStops<'_, I>,
+    moves: &Queue,
+) -> Option<(At, Violation)> {
     let machine = &stops.station.world.model;
     moves.iter().find_map(|made| Some((made.at, machine.first_outside(&[made])?)))
 }
 
-fn limit_message<I: Interpreter>(stops: &Stops<'_, I>, violation: &Violation) -> String {
+fn limit_message<I: Interpreter>(stops: &RunStops<'_, I>, violation: &Violation) -> String {
     let scale = stops.station.world.scale(violation.axis);
     let [reached, limit] =
         [violation.reached, violation.limit].map(|v| kerf_sbp::format_number(v / scale));
@@ -151,7 +157,7 @@ fn limit_message<I: Interpreter>(stops: &Stops<'_, I>, violation: &Violation) ->
 /// No spindle and no axis of its own (MI) starts where nothing may move: in an open enclosure, while a stop is
 /// pressed.
 pub(crate) fn may_turn<I: Interpreter>(
-    stops: &mut Stops<'_, I>,
+    stops: &mut RunStops<'_, I>,
     command: &Command,
     at: At,
 ) -> Result<(), RunEnd> {

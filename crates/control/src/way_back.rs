@@ -9,7 +9,7 @@ use crate::by_hand::Driven;
 use crate::interruption::Interruption;
 use crate::run_end::RunEnd;
 use crate::station::Station;
-use crate::stopping::Stops;
+use crate::stopping::RunStops;
 use kerf_diag::Code;
 use kerf_machine::state::State;
 use kerf_model::HaltCause;
@@ -24,7 +24,7 @@ enum After {
     Ended,
 }
 
-impl<I: Interpreter> Stops<'_, I> {
+impl<I: Interpreter> RunStops<'_, I> {
     /// Goes to a place, machine frame; stays on the way when something says so. What ends the run is told
     /// by [`Stops::heeded`], and nothing moves any more.
     pub(crate) fn go(&mut self, kind: MoveKind, to: Axes) {

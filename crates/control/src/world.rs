@@ -5,8 +5,8 @@
 
 use crate::answers::Operator;
 use crate::drive::{Drive, Heard};
-use crate::heights::{self, Carried};
 use crate::stopped_spindles::StoppedSpindles;
+use crate::told_heights::{self, ToldHeights};
 use crate::tracked::Tracked;
 use kerf_diag::{Code, Diagnostic, SourcePlace};
 use kerf_journal::Placed;
@@ -70,7 +70,7 @@ pub(crate) struct World<'a> {
     /// Axes that can be homed.
     pub homes: AxisSet,
     /// The heights of a job.
-    pub heights: Carried,
+    pub heights: ToldHeights,
     /// The pulse frequency of a laser, where one was set.
     pub laser_hz: Option<f64>,
     /// The spindle was switched in this run.
@@ -119,7 +119,7 @@ impl<'a> World<'a> {
             machine_is: Arc::default(),
             homed: AxisSet::EMPTY,
             homes: AxisSet::EMPTY,
-            heights: Carried::default(),
+            heights: ToldHeights::default(),
             laser_hz: None,
             spindle_switched: false,
             stopped: StoppedSpindles::default(),
@@ -321,7 +321,7 @@ impl<'a> World<'a> {
             Command::LaserFrequency { hz } => self.model.laser_frequency(hz),
             Command::Heights(heights) => {
                 self.heights.hold(heights);
-                self.tell(&heights::event(heights, t));
+                self.tell(&told_heights::event(heights, t));
             }
             Command::InForce(InForce { cut_mm_s, plunge_mm_s, raise }) => {
                 self.tell(&Event::InForce { cut_mm_s, plunge_mm_s, raise, t });

@@ -27,7 +27,7 @@ struct Far {
     since: Instant,
 }
 
-/// A line whose far end is a controller that is none.
+/// A line whose far end is a fake controller.
 struct Wire(Rc<RefCell<Far>>);
 
 impl Line for Wire {
@@ -55,7 +55,7 @@ impl Line for Wire {
     }
 }
 
-/// A connection to a controller that is none.
+/// A connection to a fake controller.
 struct Connected {
     connection: Connection,
     far: Rc<RefCell<Far>>,

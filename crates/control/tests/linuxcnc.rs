@@ -33,7 +33,7 @@ impl Far {
     }
 }
 
-/// A line whose far end is a bridge that is none.
+/// A line whose far end is a fake bridge.
 struct Wire(Rc<RefCell<Far>>, Vec<u8>);
 
 impl Line for Wire {

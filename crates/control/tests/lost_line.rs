@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-/// A line to a controller that is none, which can be pulled.
+/// A line to a fake controller, which can be pulled.
 struct Wire {
     fake: Arc<Mutex<Fake>>,
     pulled: Arc<AtomicBool>,

@@ -1,13 +1,13 @@
 //! The list that every machine has to hold, over good lines and bad ones.
 
 use kerf_machine::conformance::{Bench, CASES, Case, Outcome};
-use kerf_sim::chance::Chance;
+use kerf_sim::random::SeededRandom;
 use kerf_transport::{Damage, Fault};
 use std::thread::spawn;
 
 /// One byte that is not what was sent, by a seed: one of the first `bytes`.
 fn spoiled(seed: u64, bytes: u64) -> Fault {
-    let mut chance = Chance::new(seed);
+    let mut chance = SeededRandom::new(seed);
     let damages = [Damage::Lost, Damage::Doubled, Damage::Flipped(1 << (chance.next() % 7))];
     let damage = damages[(seed % 3) as usize];
     Fault { there: seed.is_multiple_of(2), after: chance.next() % bytes, damage }

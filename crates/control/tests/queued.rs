@@ -1,6 +1,6 @@
-//! A board with step queues as a machine, in time that is none: the list that every machine has to hold.
+//! A board with step queues as a machine, in simulated time: the list that every machine has to hold.
 
-use kerf_control::controller::queued::{Berth, Queued, Wiring};
+use kerf_control::controller::queued::{BoardPort, Queued, Wiring};
 use kerf_control::{Requests, RunContext, Session};
 use kerf_driver_klipper::board::{News, Options};
 use kerf_driver_klipper::crew::Crew;
@@ -20,7 +20,7 @@ use std::panic::resume_unwind;
 use std::rc::Rc;
 use std::time::Duration;
 
-/// Grain of time that is none, seconds.
+/// Grain of simulated time, seconds.
 const GRAIN_S: f64 = 0.001;
 /// A case that takes longer does not come to its end, seconds.
 const PATIENCE_S: f64 = 60.0;
@@ -169,7 +169,7 @@ impl World {
 /// The world as the machine reaches it.
 pub struct Virtual(pub Rc<RefCell<World>>);
 
-impl Berth for Virtual {
+impl BoardPort for Virtual {
     fn request(&mut self, request: Request) {
         let world = &mut *self.0.borrow_mut();
         if !world.is_dead() {
@@ -217,8 +217,8 @@ impl Shop {
         let begin_s = world.now_s;
         let world = Rc::new(RefCell::new(world));
         let per_unit = machine.program.resolution.steps_per_unit;
-        let berth = Box::new(Virtual(world.clone()));
-        let queued = Queued::new("board", &version, (wiring, per_unit), counts, berth);
+        let port = Box::new(Virtual(world.clone()));
+        let queued = Queued::new("board", &version, (wiring, per_unit), counts, port);
         Self { world, queued, begin_s }
     }
 }

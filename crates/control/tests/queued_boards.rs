@@ -1,4 +1,4 @@
-//! Two boards with step queues as one machine, in time that is none: X on one of them, Y on the other.
+//! Two boards with step queues as one machine, in simulated time: X on one of them, Y on the other.
 
 use crate::queued::{Far, Ran, Shop, machine_of, ran};
 use kerf_driver_klipper::fake::Faults;

@@ -1,4 +1,4 @@
-//! Limits, doors and emergency stops on a board with step queues, in time that is none: the board ends motion by itself, and
+//! Limits, doors and emergency stops on a board with step queues, in simulated time: the board ends motion by itself, and
 //! the run can be taken up.
 
 use crate::queued::{Shop, World, machine_of};

@@ -1,4 +1,4 @@
-//! Height control on a board with step queues, in time that is none: a torch over a sheet in waves, whose voltage the board
+//! Height control on a board with step queues, in simulated time: a torch over a sheet in waves, whose voltage the board
 //! measures.
 
 use crate::queued::{Shop, World, machine_of};
@@ -12,7 +12,7 @@ use kerf_journal::{RunOptions, Work};
 use kerf_machine::lines::Input;
 use kerf_machine::profile::profile;
 use kerf_machine::settings::height::HeightMode;
-use kerf_machine::{Carried, Configuration, Driven, Going, Machine};
+use kerf_machine::{Configuration, Driven, Going, LiftOfMove, Machine};
 use kerf_motion::{Model, Move, Mover, Optimal, Plan};
 use kerf_program::job::{Job, JobShape};
 use kerf_program::{At, Axes, AxisSet, Dynamics, Feed, Gauge, HeightLaw, Line, MoveKind, Settings};
@@ -97,7 +97,7 @@ pub fn make(
     shop: &mut Shop,
     plan: &Plan,
     mut each: impl FnMut(&Fake),
-) -> (Carried, Vec<(u8, bool)>) {
+) -> (LiftOfMove, Vec<(u8, bool)>) {
     let (t0_s, until, mut inputs) = (10.0, plan.moves().len(), Vec::new());
     shop.queued.begin_plan();
     let going = Going { plan, index: 0, t0_s, until, part: 1.0, watches: &[] };

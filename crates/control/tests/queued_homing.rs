@@ -1,4 +1,4 @@
-//! Homing on a board with step queues, in time that is none.
+//! Homing on a board with step queues, in simulated time.
 
 use crate::queued::{Shop, machine_of};
 use kerf_driver_klipper::fake::Faults;

@@ -1,4 +1,4 @@
-//! A laser on a board with step queues, in time that is none: its power is that of the speed, also where the machine slows
+//! A laser on a board with step queues, in simulated time: its power is that of the speed, also where the machine slows
 //! down for a stop, an input or a late host.
 
 use crate::queued::{Shop, World, machine_of};

@@ -1,4 +1,4 @@
-//! Outputs of a board with step queues at their places in the motion, in time that is none: on and off (M62 … M65), and
+//! Outputs of a board with step queues at their places in the motion, in simulated time: on and off (M62 … M65), and
 //! with a share of time (M67, M68).
 
 use crate::queued::{Shop, World, machine_of};

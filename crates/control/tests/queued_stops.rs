@@ -1,4 +1,4 @@
-//! Stops, holds and other feeds of a machine with step queues, in time that is none: how soon they come.
+//! Stops, holds and other feeds of a machine with step queues, in simulated time: how soon they come.
 
 use crate::queued::{Ran, Shop, World, machine_of, ran};
 use kerf_control::{OperatorRequest, Requests, RunContext, Session};

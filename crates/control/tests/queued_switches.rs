@@ -1,4 +1,4 @@
-//! Height control by two switches, and by the input of VH, on a board with step queues, in time that is none.
+//! Height control by two switches, and by the input of VH, on a board with step queues, in simulated time.
 
 use crate::queued::{Levels, Ran, Shop, World, machine_of, ran};
 use crate::queued_height::{

@@ -1,4 +1,4 @@
-//! Inputs that are watched on a board with step queues, in time that is none: probing, and what the operator asks for
+//! Inputs that are watched on a board with step queues, in simulated time: probing, and what the operator asks for
 //! meanwhile.
 
 use crate::queued::{Shop, World};

@@ -1,4 +1,4 @@
-//! The reference programs R1 to R7 on a board that is none, in time that is none: the numbers of
+//! The reference programs R1 to R7 on a fake board, in simulated time: the numbers of
 //! docs/how-boards-with-step-queues-are-driven.md.
 //!
 //! `cargo test -p kerf-control --test all -- references --nocapture` makes R7, `PROGRAM=R3` another one, `PROGRAM=all` all

@@ -18,7 +18,7 @@
 //! it do not matter. A stop is a feed hold; only when that stands is the controller reset, which keeps its
 //! place.
 //!
-//! [`fake`] is a controller that is none, for tests.
+//! [`fake`] is a fake controller, for tests.
 
 mod at_once;
 mod card;

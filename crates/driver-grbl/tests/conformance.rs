@@ -1,4 +1,4 @@
-//! The driver against a controller that is none: the list that every driver has to hold, streaming, stops, probing.
+//! The driver against a fake controller: the list that every driver has to hold, streaming, stops, probing.
 
 use crate::wire::{Wire, run, to};
 use kerf_driver_grbl::Grbl;

@@ -1,4 +1,4 @@
-//! A driver on a line with a controller that is none at its other end.
+//! A driver on a line with a fake controller at its other end.
 
 use kerf_driver_grbl::Grbl;
 use kerf_driver_grbl::fake::Fake;

@@ -21,7 +21,7 @@
 //! - [`board`]: all of that for one board: found, configured, moved, stopped, counted.
 //! - [`mailbox`]: boards as the owner of a plan deals with them, from another thread.
 //! - [`crew`]: one board or several as one machine, each on its [`timeline`].
-//! - [`fake`]: a board that is none.
+//! - [`fake`]: a fake board.
 //! - [`tmc`]: registers of motor drivers on a single wire.
 //!
 //! Three promises hold for whoever drives: no step goes out before the board's latch is armed over it; nothing that

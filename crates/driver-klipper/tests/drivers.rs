@@ -3,7 +3,7 @@
 use crate::world::{World, setup};
 use kerf_driver_klipper::board::{Fault, News, Options};
 use kerf_driver_klipper::fake::{Chip as Fake, Faults};
-use kerf_driver_klipper::setup::{Driver, DriverSelect, DriverWire, Pin, Setup, Way};
+use kerf_driver_klipper::setup::{Driver, DriverSelect, DriverWire, Pin, RegisterLink, Setup};
 use kerf_driver_klipper::tmc::{Chip, Trouble, Tuning};
 
 /// Pins of the wire, and of the selects.
@@ -27,7 +27,7 @@ fn tuning(chip: Chip) -> Tuning {
 /// Two drivers on one wire, two behind selects on one bus.
 fn with_drivers() -> Setup {
     let pin = |n: u32| Pin::new(&format!("gpio{n}"));
-    let wire = |address| Way::Wire { wire: 0, address };
+    let wire = |address| RegisterLink::Wire { wire: 0, address };
     let driver = |name: &str, way, chip| Driver { name: name.into(), way, tuning: tuning(chip) };
     let select = |cs| DriverSelect { cs: pin(cs), bus: [pin(50), pin(51), pin(52)] };
     Setup {
@@ -36,8 +36,8 @@ fn with_drivers() -> Setup {
         tuned: vec![
             driver("X", wire(0), Chip::Tmc2209),
             driver("Y", wire(2), Chip::Tmc2209),
-            driver("Z", Way::Select(0), Chip::Tmc2130),
-            driver("A", Way::Select(1), Chip::Tmc2130),
+            driver("Z", RegisterLink::Select(0), Chip::Tmc2130),
+            driver("A", RegisterLink::Select(1), Chip::Tmc2130),
         ],
         ..setup()
     }

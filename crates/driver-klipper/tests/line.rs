@@ -1,4 +1,4 @@
-//! A host's line to a board that is none: joined, identified, commands run once and in order.
+//! A host's line to a fake board: joined, identified, commands run once and in order.
 
 use kerf_driver_klipper::dictionary::{Dictionary, Wanted};
 use kerf_driver_klipper::fake::{Board, Faults, Line};

@@ -1,4 +1,4 @@
-//! Motion on a board that is none: made as planned, stopped when it has to be, counted always.
+//! Motion on a fake board: made as planned, stopped when it has to be, counted always.
 
 use crate::world::{Feed, GRAIN_S, Motion, World};
 use kerf_driver_klipper::board::{Ended, Home, News, NotNow, Options};

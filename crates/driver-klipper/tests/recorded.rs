@@ -1,5 +1,5 @@
 //! Sessions that were recorded of a real board, where they lie beside the checkout: the crate reads and writes the same
-//! bytes, and the board that is none does what the real one did.
+//! bytes, and the fake board does what the real one did.
 
 use crate::shared;
 use kerf_driver_klipper::dictionary::{Dictionary, Value, Wanted};
@@ -140,7 +140,7 @@ fn encoded(dictionary: &Dictionary, command: &str) -> Vec<u8> {
     dictionary.command(&wanted).expect(command).values(&values).expect(command)
 }
 
-/// The real board's words, for the one that is none.
+/// The real board's words, for the fake one.
 fn words(folder: &Path) -> Words {
     let text = fs::read_to_string(folder.join("messages.tsv")).expect("messages");
     let (mut commands, mut responses, mut reasons) = (vec![], vec![], vec![]);

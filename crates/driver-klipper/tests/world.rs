@@ -1,4 +1,4 @@
-//! A host, a line and a board that is none, in time that is none.
+//! A host, a line and a fake board, in simulated time.
 
 use kerf_driver_klipper::board::{Board, Ended, Fault, Home, News, Options, Start};
 use kerf_driver_klipper::fake::{Faults, Wired};

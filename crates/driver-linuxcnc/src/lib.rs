@@ -14,7 +14,7 @@
 //! the two has a check number, and a garbled one stops the machine. Orders are in LinuxCNC's machine frame (`G53`). A stop is
 //! its abort, which slows down on the path and keeps the place.
 //!
-//! [`fake`] is a bridge that is none, for tests.
+//! [`fake`] is a fake bridge, for tests.
 
 mod check;
 mod driver;

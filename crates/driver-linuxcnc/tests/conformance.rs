@@ -1,4 +1,4 @@
-//! The driver against a bridge that is none: the list that every driver has to hold, pieces, stops, probing, what its
+//! The driver against a fake bridge: the list that every driver has to hold, pieces, stops, probing, what its
 //! panel does.
 
 use crate::wire::{Wire, run};

@@ -1,4 +1,4 @@
-//! A driver on a line with a bridge that is none at its other end.
+//! A driver on a line with a fake bridge at its other end.
 
 use kerf_driver_linuxcnc::LinuxCnc;
 use kerf_driver_linuxcnc::fake::Fake;

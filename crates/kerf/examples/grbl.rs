@@ -1,4 +1,4 @@
-//! A controller that is none, on a pseudo terminal: to try `kerf run FILE --machine grbl:PORT` without a
+//! A fake controller, on a pseudo terminal: to try `kerf run FILE --machine grbl:PORT` without a
 //! machine.
 //!
 //! ```text

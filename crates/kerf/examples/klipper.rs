@@ -1,4 +1,4 @@
-//! A board with step queues that is none, on a pseudo terminal: to try `kerf run FILE --machine klipper:PORT` without a
+//! A fake board with step queues, on a pseudo terminal: to try `kerf run FILE --machine klipper:PORT` without a
 //! machine.
 //!
 //! ```text

@@ -1,4 +1,4 @@
-//! A LinuxCNC that is none behind a bridge that is none, at a port of this computer: to try
+//! A fake LinuxCNC behind a fake bridge, at a port of this computer: to try
 //! `kerf run FILE --machine linuxcnc:HOST:PORT` without LinuxCNC.
 //!
 //! ```text

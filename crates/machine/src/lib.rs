@@ -34,7 +34,7 @@ pub mod value;
 pub mod wiring;
 
 pub use hand::{Errand, Hand, Held, Keypad, Stretch};
-pub use lift::{Carried, Lift, Reading};
+pub use lift::{Lift, LiftOfMove, Reading};
 pub use machine::{Actuator, Ahead, Driven, Fault, Going, Machine, News, OVERRUN_MM, Watch};
 pub use pause_order::PauseOrder;
 pub use settings::Configuration;

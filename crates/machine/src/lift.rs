@@ -79,7 +79,7 @@ pub struct Reading {
 
 /// Height control's share in a move that was made.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Carried {
+pub struct LiftOfMove {
     /// The way of Z beside the plan.
     pub lift: Lift,
     /// The readings behind it, in order of time.

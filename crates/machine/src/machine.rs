@@ -17,7 +17,7 @@
 
 use crate::driver::{Facts, Override, Shares};
 use crate::homing::Which;
-use crate::lift::Carried;
+use crate::lift::LiftOfMove;
 use kerf_motion::{Move, Plan, Span, State};
 use kerf_program::{At, Axes, Axis, Beam, HeightLaw, OutputReason, Settings, SpindleTurn};
 use std::cell::RefCell;
@@ -128,7 +128,7 @@ pub struct Fault {
     pub hint: &'static str,
     /// The line whose move it is about, where it is about one.
     pub at: Option<At>,
-    /// It answers no more.
+    /// The machine no longer answers.
     pub silent: bool,
     /// Place where it stands, machine frame, as far as it told.
     pub stands: Option<Axes>,
@@ -201,8 +201,8 @@ pub trait Machine {
     }
 
     /// A move of the plan is made: returns the way of its height control beside the plan.
-    fn made(&mut self, _t0_s: f64, _plan: &Plan, _span: &Span<'_>) -> Carried {
-        Carried::default()
+    fn made(&mut self, _t0_s: f64, _plan: &Plan, _span: &Span<'_>) -> LiftOfMove {
+        LiftOfMove::default()
     }
 
     /// Has Z follow the sheet from a place on, machine frame, or ends that. Returns what the switches of the head read

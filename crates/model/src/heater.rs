@@ -13,7 +13,7 @@ const TIME_S: f64 = 60.0;
 const BAND: f64 = 1.0;
 /// So little above its surroundings it counts as cold, degrees.
 const COLD: f64 = 0.01;
-/// Of a very long wait so many changes of heat are followed.
+/// Most changes of heat that are simulated in one wait.
 const MOST_CHANGES: usize = 100_000;
 
 /// The heater and its temperature.

@@ -18,7 +18,7 @@ use crate::outputs::Outputs;
 use crate::trigger;
 use kerf_machine::height_follower::in_plane;
 use kerf_machine::homing::soft_bounds;
-use kerf_machine::{Carried, Configuration, Lift, Reading};
+use kerf_machine::{Configuration, Lift, LiftOfMove, Reading};
 use kerf_motion::{Move, Plan, Span};
 use kerf_program::settings::Mode;
 use kerf_program::{
@@ -312,7 +312,7 @@ impl Model {
 
     /// A move of a plan that started at `t0_s` has been made: outputs, PWM, position, clock; and height control has carried
     /// Z on it.
-    pub fn make(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>, carried: &Carried) {
+    pub fn make(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>, carried: &LiftOfMove) {
         self.shift_resolution(Some(span.made.kind));
         self.ride(Some(span.made));
         let settings = &self.settings;
@@ -339,7 +339,7 @@ impl Model {
     }
 
     /// Height control has carried Z on a move to a place, which ends at a moment.
-    fn follow_sheet(&mut self, end_s: f64, to: Axes, carried: &Carried) {
+    fn follow_sheet(&mut self, end_s: f64, to: Axes, carried: &LiftOfMove) {
         for Reading { t_s, z_mm, error_mm, value } in carried.readings.iter().copied() {
             self.log.add(t_s, What::Height { z_mm, error_mm, reading: value });
         }
@@ -357,8 +357,8 @@ impl Model {
     }
 
     /// Returns the way of height control over a move that is only drawn: none.
-    pub fn not_carried(&self) -> Carried {
-        Carried { lift: Lift::still(self.carried_mm), readings: Vec::new() }
+    pub fn not_carried(&self) -> LiftOfMove {
+        LiftOfMove { lift: Lift::still(self.carried_mm), readings: Vec::new() }
     }
 
     /// The stack is over, the machine stands.

@@ -92,11 +92,11 @@ impl Timing {
         let panel = Rect { x: MARGIN + NAMES, y: HEAD, w: WIDTH - NAMES - 2.0 * MARGIN, h: height };
         layer.path(Outline::of_rect(panel), Paint::edged(PAPER, EDGE, 0.2));
         heading(&mut layer, &self.title);
-        let over = Over { panel, end_s: self.end_s.max(1e-3) };
-        over.grid(&mut layer);
+        let time = TimeAxis { panel, end_s: self.end_s.max(1e-3) };
+        time.grid(&mut layer);
         let mut y = panel.y;
         for track in &self.tracks {
-            track.draw(&mut layer, &over, y);
+            track.draw(&mut layer, &time, y);
             y += track.height();
         }
         Sheet {
@@ -112,12 +112,12 @@ impl Timing {
 }
 
 /// Time along the page.
-struct Over {
+struct TimeAxis {
     panel: Rect,
     end_s: f64,
 }
 
-impl Over {
+impl TimeAxis {
     fn x(&self, t_s: f64) -> f64 {
         self.panel.x + self.panel.w * (t_s / self.end_s).clamp(0.0, 1.0)
     }
@@ -154,23 +154,23 @@ impl Track {
         }
     }
 
-    fn draw(&self, layer: &mut Layer, over: &Over, y: f64) {
+    fn draw(&self, layer: &mut Layer, time: &TimeAxis, y: f64) {
         let (top, bottom) = (y + 4.0, y + self.height() - 1.5);
-        let at = Point2::new(over.panel.x - 2.0, bottom - 1.0);
+        let at = Point2::new(time.panel.x - 2.0, bottom - 1.0);
         layer.marks.push(words(at, Anchor::End, self.label()));
         let moments = match &self.course {
             Course::Output(changes) | Course::Input(changes) => {
-                layer.path(steps(changes, over, top, bottom), Paint::line(INK, 0.35));
+                layer.path(steps(changes, time, top, bottom), Paint::line(INK, 0.35));
                 changes.iter().map(|(t_s, _)| (*t_s, format!("{t_s:.3}"))).collect()
             }
-            Course::Place(points) => rising(layer, points, over, [top, bottom]),
-            Course::Value(steps) => rising(layer, &corners(steps), over, [top, bottom]),
+            Course::Place(points) => rising(layer, points, time, [top, bottom]),
+            Course::Value(steps) => rising(layer, &corners(steps), time, [top, bottom]),
         };
         let mut last = f64::NEG_INFINITY;
         for (t_s, text) in moments {
-            let x = over.x(t_s);
+            let x = time.x(t_s);
             if x - last >= CLOSE {
-                let (by, anchor) = if x > over.panel.right() - CLOSE {
+                let (by, anchor) = if x > time.panel.right() - CLOSE {
                     (-0.6, Anchor::End)
                 } else {
                     (0.6, Anchor::Start)
@@ -186,11 +186,11 @@ impl Track {
 fn rising(
     layer: &mut Layer,
     points: &[(f64, f64)],
-    over: &Over,
+    time: &TimeAxis,
     [top, bottom]: [f64; 2],
 ) -> Vec<(f64, String)> {
     let heights = Scale::of(points, top, bottom);
-    layer.path(slopes(points, over, &heights), Paint::line(INK, 0.35));
+    layer.path(slopes(points, time, &heights), Paint::line(INK, 0.35));
     heights.corners(points)
 }
 
@@ -228,28 +228,28 @@ impl Scale {
     }
 }
 
-fn steps(changes: &[(f64, bool)], over: &Over, top: f64, bottom: f64) -> Outline {
+fn steps(changes: &[(f64, bool)], time: &TimeAxis, top: f64, bottom: f64) -> Outline {
     let mut line = Outline::default();
     let mut y = bottom;
-    line.move_to(Point2::new(over.panel.x, y));
+    line.move_to(Point2::new(time.panel.x, y));
     for (t_s, on) in changes {
-        let x = over.x(*t_s);
+        let x = time.x(*t_s);
         line.line_to(Point2::new(x, y));
         y = if *on { top } else { bottom };
         line.line_to(Point2::new(x, y));
     }
-    line.line_to(Point2::new(over.panel.right(), y));
+    line.line_to(Point2::new(time.panel.right(), y));
     line
 }
 
-fn slopes(points: &[(f64, f64)], over: &Over, heights: &Scale) -> Outline {
+fn slopes(points: &[(f64, f64)], time: &TimeAxis, heights: &Scale) -> Outline {
     let mut line = Outline::default();
     for (n, (t_s, value)) in points.iter().enumerate() {
-        let at = Point2::new(over.x(*t_s), heights.y(*value));
+        let at = Point2::new(time.x(*t_s), heights.y(*value));
         if n == 0 { line.move_to(at) } else { line.line_to(at) }
     }
     if let Some((_, value)) = points.last() {
-        line.line_to(Point2::new(over.panel.right(), heights.y(*value)));
+        line.line_to(Point2::new(time.panel.right(), heights.y(*value)));
     }
     line
 }

@@ -1,15 +1,15 @@
 //! Carries out what pages ask for; the [gate](crate::gate) says who may.
 
+use crate::act_checks;
 use crate::app::App;
 use crate::asker::Asker;
-use crate::gate::{STOP_KEY, Way, open_here, pass};
+use crate::gate::{Demand, STOP_KEY, open_here, pass};
 use crate::hands::makes_sense;
 use crate::height_map;
 use crate::machine::Order;
 use crate::people::Grip;
 use crate::refusal::{Done, problem};
-use crate::shop;
-use crate::stop::Halt;
+use crate::stop::StopPress;
 use crate::tools;
 use kerf_machine::driver::Override;
 use kerf_wire::{Act, Change, Problem, StartUp, State, Tone, Who, Why};
@@ -25,11 +25,11 @@ impl App {
     ///
     /// # Errors
     /// Why not.
-    pub fn gate(&self, who: &Who, way: Way<'_>) -> Result<(), Problem> {
-        if let Way::Act(act) = way {
+    pub fn gate(&self, who: &Who, demand: Demand<'_>) -> Result<(), Problem> {
+        if let Demand::Act(act) = demand {
             open_here(&self.options, act)?;
         }
-        let need = self.hub.read(|now| pass(now, who, way))?;
+        let need = self.hub.read(|now| pass(now, who, demand))?;
         if need.is_protected() { self.settings.opened(who, None) } else { Ok(()) }
     }
 
@@ -39,7 +39,7 @@ impl App {
     /// Why not.
     pub fn act(self: &Arc<Self>, asker: &Asker, act: Act) -> Done {
         let who = &asker.who;
-        self.gate(who, Way::Act(&act))?;
+        self.gate(who, Demand::Act(&act))?;
         self.driving.hears_driver(who);
         match act {
             Act::Ping => {}
@@ -60,10 +60,10 @@ impl App {
                 return self.jobs.machine(drawing.as_deref(), anew, &asker.awaited);
             }
             Act::Folder { name, mask } => {
-                shop::choose_folder(&self.orders, &self.files.folder, &name, mask)?
+                act_checks::choose_folder(&self.orders, &self.files.folder, &name, mask)?
             }
-            Act::Record { line } => shop::record(&self.orders, line)?,
-            Act::Watch { names } => shop::watch(&self.orders, &self.link, names)?,
+            Act::Record { line } => act_checks::record(&self.orders, line)?,
+            Act::Watch { names } => act_checks::watch(&self.orders, &self.link, names)?,
             Act::Input { number, on, lease } => self.press(asker, (lease, number, on))?,
             Act::Set { key, value, .. } => self.settings.configure(who, &key, &value)?,
             Act::Close => self.close_file()?,
@@ -108,7 +108,7 @@ impl App {
 
     /// Moves a switch of a machine whose switches are moved on a page: the turn at driving, its number, whether it is on.
     fn press(&self, asker: &Asker, pressed: (u32, u8, bool)) -> Result<(), Problem> {
-        shop::press(&self.orders, &self.hands.pins_moved_here()?, asker, pressed)
+        act_checks::press(&self.orders, &self.hands.pins_moved_here()?, asker, pressed)
     }
 
     /// Carries out a line that was typed: a setting of the controller (`$120=300`), a question for it (`$I`), else a line of
@@ -141,7 +141,7 @@ impl App {
         if now.folder.name == folder || now.machine.state != State::Idle {
             return Ok(());
         }
-        shop::choose_folder(&self.orders, &self.files.folder, folder, None)
+        act_checks::choose_folder(&self.orders, &self.files.folder, folder, None)
     }
 
     fn give_lease(&self, who: &Who) {
@@ -149,7 +149,7 @@ impl App {
     }
 
     fn halt(&self, who: &Who, act: &Act) {
-        if let Some(halt) = Halt::of(act) {
+        if let Some(halt) = StopPress::of(act) {
             halt.press(self, who.client);
             halt.settle(self);
         }

@@ -4,7 +4,6 @@
 //! [`MachineSettings`] what it is set to, [`PartFiles`] and [`Loader`] the files, [`DrawingDesk`] and [`Jobs`] drawings
 //! and the jobs made from them, [`Runs`] and [`Hands`] what moves the machine.
 
-use crate::added::AddedShapes;
 use crate::awaited::Works;
 use crate::clock::Clock;
 use crate::configure::MachineSettings;
@@ -36,6 +35,7 @@ use crate::setting_changes::SettingChanges;
 use crate::setup::{Builders, Options};
 use crate::texts::Texts;
 use crate::thumbnails::Thumbnails;
+use crate::unsaved_shapes::UnsavedShapes;
 use crate::wirings::Wirings;
 use kerf_control::controller::LineLog;
 use kerf_wire::Tone;
@@ -242,7 +242,7 @@ impl Lent {
         let (hub, data) = (self.hub.clone(), options.data.clone());
         Ok(Loader {
             thumbnails: Thumbnails::in_data(&options.data),
-            added: AddedShapes { hub, files: files.clone(), data },
+            added: UnsavedShapes { hub, files: files.clone(), data },
             hub: self.hub.clone(),
             link: self.link.clone(),
             left: self.left.clone(),

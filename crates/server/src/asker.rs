@@ -1,7 +1,7 @@
 //! The origin of a request: the page, script or console, and the time.
 
 use crate::awaited::Awaited;
-use crate::machine::Stops;
+use crate::machine::StopCount;
 use kerf_wire::Who;
 
 /// A page, a script or the hand console that asks for something.
@@ -12,17 +12,17 @@ pub struct Asker {
     /// The request, as long as somebody waits for it.
     pub awaited: Awaited,
     /// Stops that had come when it arrived.
-    stops: Stops,
+    stops: StopCount,
 }
 
 impl Asker {
     /// Somebody asks for something, which has arrived this moment, after so many stops.
-    pub fn of(who: &Who, stops: Stops) -> Self {
+    pub fn of(who: &Who, stops: StopCount) -> Self {
         Self { who: who.clone(), awaited: Awaited::default(), stops }
     }
 
     /// Stops that had come when it arrived.
-    pub const fn stops(&self) -> Stops {
+    pub const fn stops(&self) -> StopCount {
         self.stops
     }
 

@@ -3,12 +3,12 @@
 use crate::clock::Clock;
 use crate::handconsole::Happening;
 use crate::hub::Hub;
+use crate::last_runs::now_s;
 use crate::locks::lock;
 use crate::machine::{LastState, Order};
 use crate::orders::Orders;
 use crate::people::Tries;
 use crate::protect::Unlocked;
-use crate::ran::now_s;
 use crate::refusal::problem;
 use crate::setting_changes::SettingChanges;
 use kerf_control::Session;

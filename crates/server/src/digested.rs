@@ -34,7 +34,7 @@ pub fn with_digest(bytes: &[u8]) -> Vec<u8> {
 /// The bytes behind a digest. A file of an earlier version has none, and begins as JSON does.
 ///
 /// # Errors
-/// They are not those that were written.
+/// The bytes differ from those that were written, or the digest is cut short.
 pub fn checked(file: &[u8]) -> io::Result<&[u8]> {
     if file.starts_with(b"{") || file.starts_with(b"[") {
         return Ok(file);

@@ -1,7 +1,7 @@
 //! Shapes that were digitized: into the job that is open, else into the drawing, else into a new job.
 
+use crate::file_kind::kind_of;
 use crate::job::Jobs;
-use crate::kind::kind_of;
 use crate::open::Open;
 use crate::refusal::problem;
 use kerf_drawing::{Operation, Shape};

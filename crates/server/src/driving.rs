@@ -5,7 +5,7 @@
 
 use crate::asker::Asker;
 use crate::driving_turn::{DrivingTurn, SILENCE};
-use crate::gate::{Way, driven_by, pass};
+use crate::gate::{Demand, driven_by, pass};
 use crate::hub::Hub;
 use crate::machine::Link;
 use crate::people::{Pages, is_script};
@@ -135,7 +135,7 @@ impl Driving {
     /// Somebody else drives, or nobody, or the machine is disarmed.
     pub fn drives(&self, who: &Who) -> Result<u32, Problem> {
         self.hub.read(|now| {
-            pass(now, who, Way::GoOn)?;
+            pass(now, who, Demand::GoOn)?;
             Ok(now.lease.as_ref().map_or(0, |lease| lease.number))
         })
     }

@@ -53,8 +53,8 @@ impl DrivingTurn {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::bench::{Bench, bench};
     use crate::people::script;
+    use crate::testing::{Bench, bench};
     use kerf_wire::{Act, Role, Who, Why};
 
     /// A script drives, with the machine armed.

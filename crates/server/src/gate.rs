@@ -22,7 +22,7 @@ use kerf_workspace::stored;
 
 /// Something that somebody asks for, by the way on which it came.
 #[derive(Clone, Copy, Debug)]
-pub enum Way<'a> {
+pub enum Demand<'a> {
     /// A page or a script asks for it.
     Act(&'a Act),
     /// A key of the hand console asks for it.
@@ -104,22 +104,22 @@ pub const STOP_KEY: char = Key::Stop.character();
 ///
 /// # Errors
 /// Nobody may have that done, in this way.
-fn needs(now: &Snapshot, way: Way<'_>) -> Result<Need, Problem> {
-    Ok(match way {
-        Way::Act(act) => return needs_of_act(now, act),
-        Way::Console(request) => return needs_of_request(now, request),
-        Way::Order(order) if order.draws_only() => drawing(TurnNeeded::Own),
-        Way::Order(order) if order.moves() => driving(TurnNeeded::Own),
-        Way::Order(_) | Way::StartUp => need(Role::Observer),
-        Way::GoOn => going_on(now, TurnNeeded::Own),
-        Way::Value(key) if stored::is_own(key) => {
+fn needs(now: &Snapshot, demand: Demand<'_>) -> Result<Need, Problem> {
+    Ok(match demand {
+        Demand::Act(act) => return needs_of_act(now, act),
+        Demand::Console(request) => return needs_of_request(now, request),
+        Demand::Order(order) if order.draws_only() => drawing(TurnNeeded::Own),
+        Demand::Order(order) if order.moves() => driving(TurnNeeded::Own),
+        Demand::Order(_) | Demand::StartUp => need(Role::Observer),
+        Demand::GoOn => going_on(now, TurnNeeded::Own),
+        Demand::Value(key) if stored::is_own(key) => {
             let text = format!(
                 "Kerf alone writes {key}; values of your own have other names, as uValue or one with a $"
             );
             return Err(problem(Why::Malformed, text));
         }
-        Way::Value(_) => need(Role::Operator),
-        Way::PassedIn => Need { armed: true, ..need(Role::Observer) },
+        Demand::Value(_) => need(Role::Operator),
+        Demand::PassedIn => Need { armed: true, ..need(Role::Observer) },
     })
 }
 
@@ -272,8 +272,8 @@ impl Need {
 ///
 /// # Errors
 /// Why not.
-pub fn pass(now: &Snapshot, who: &Who, way: Way<'_>) -> Result<Need, Problem> {
-    let need = needs(now, way)?;
+pub fn pass(now: &Snapshot, who: &Who, demand: Demand<'_>) -> Result<Need, Problem> {
+    let need = needs(now, demand)?;
     need.met(now, who).map(|()| need)
 }
 

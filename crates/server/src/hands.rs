@@ -2,7 +2,7 @@
 
 use crate::asker::Asker;
 use crate::clock::Clock;
-use crate::gate::Way;
+use crate::gate::Demand;
 use crate::hub::Hub;
 use crate::loader::Loader;
 use crate::locks::lock;
@@ -57,7 +57,7 @@ impl Hands {
         let unit = units.iter().find(|unit| unit.letter == axis.letter());
         let nudge = Nudge { axis, distance: distance / unit.map_or(1.0, |unit| unit.scale) };
         let give = |wanted: &mut Wanted| wanted.give(question, nudge.to_string());
-        let counts = self.orders.want_of(asker, Way::GoOn, give)?;
+        let counts = self.orders.want_of(asker, Demand::GoOn, give)?;
         counts.then_some(()).ok_or_else(not_open)
     }
 
@@ -87,7 +87,7 @@ impl Hands {
         let counts = open
             && self
                 .orders
-                .want_of(asker, Way::GoOn, |wanted| wanted.give(question, LIFT.into()))?;
+                .want_of(asker, Demand::GoOn, |wanted| wanted.give(question, LIFT.into()))?;
         let late = || problem(Why::Late, "no program asks this any more: nothing is lifted");
         counts.then_some(()).ok_or_else(late)
     }
@@ -104,7 +104,7 @@ impl Hands {
         if state == State::Idle {
             return self.orders.order_of(asker, Order::ToolIn);
         }
-        self.orders.want_of(asker, Way::GoOn, |wanted| wanted.tool_in = true)
+        self.orders.want_of(asker, Demand::GoOn, |wanted| wanted.tool_in = true)
     }
 
     /// Has the controller touch off the tool for which it waits.
@@ -142,7 +142,7 @@ impl Hands {
         let base = Axes(self.hub.read(|now| now.motion.at.base));
         let far = reach(&lock(&self.left).session.memory.settings, base, *direction, *distance);
         let jog = Jog { by: Axes(direction.map(|way| way * far)), speed: *speed };
-        let counts = self.orders.want_of(asker, Way::GoOn, |wanted| {
+        let counts = self.orders.want_of(asker, Demand::GoOn, |wanted| {
             let counts = wanted.jog.is_none() && wanted.give(question, jog.to_string());
             if counts {
                 wanted.jog = Some(held);

@@ -1,9 +1,9 @@
 //! The snapshot that every page shows, and those who are told when it changes.
 
 use crate::history::History;
+use crate::last_runs::{LastRuns, now_s};
 use crate::preview::Typed;
 use crate::problems::ProblemLog;
-use crate::ran::{Ran, now_s};
 use axum::extract::ws::Utf8Bytes;
 use kerf_wire::{
     Change, CurrentRun, LastRun, Message, Mode, Motion, Opened, RunRecord, Snapshot, State, ToPage,
@@ -23,7 +23,7 @@ pub struct Hub {
     pages: broadcast::Sender<Arc<Broadcast>>,
     problems: OnceLock<ProblemLog>,
     /// Record of how files ran.
-    pub ran: Ran,
+    pub ran: LastRuns,
     /// History of runs, and what is to be done.
     pub history: History,
     typed: Mutex<Typed>,
@@ -56,7 +56,7 @@ impl Hub {
             snapshot: Mutex::new(Arc::new(snapshot)),
             pages: broadcast::channel(BEHIND).0,
             problems: OnceLock::new(),
-            ran: Ran::default(),
+            ran: LastRuns::default(),
             history: History::default(),
             typed: Mutex::default(),
         }

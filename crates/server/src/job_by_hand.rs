@@ -1,8 +1,8 @@
 //! Acts of a person at the machine on the open job: where it lies, where it ends, which path is near.
 
+use crate::file_kind::kind_of;
 use crate::handconsole::Happening;
 use crate::job::Jobs;
-use crate::kind::kind_of;
 use crate::locks::lock;
 use crate::refusal::problem;
 use kerf_geom::Point2;

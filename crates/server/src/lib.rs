@@ -17,15 +17,13 @@
 //! - Previews are runs on copies ([`preview`]); files lie in the part folder and nowhere else
 //!   ([`files`]).
 
+mod act_checks;
 mod acts;
-mod added;
 mod app;
 mod asker;
 mod awaited;
-#[cfg(test)]
-mod bench;
 mod by_hand;
-mod called;
+mod called_files;
 mod clock;
 mod configure;
 mod controller_card;
@@ -37,6 +35,7 @@ mod digitized;
 mod draft;
 mod driving;
 mod driving_turn;
+mod file_kind;
 mod files;
 mod gate;
 mod handconsole;
@@ -50,8 +49,8 @@ mod interrupted;
 mod job;
 mod job_by_hand;
 mod job_findings;
-mod kind;
 mod lanes;
+mod last_runs;
 mod line_log;
 mod loader;
 mod locks;
@@ -69,19 +68,20 @@ mod preview;
 mod priority;
 mod problems;
 mod protect;
-mod ran;
 mod reading;
 mod refusal;
 mod runs;
 mod saving;
 mod setting_changes;
 mod setup;
-mod shop;
 mod stop;
+#[cfg(test)]
+mod testing;
 mod texts;
 mod thumbnails;
 mod to_wire;
 mod tools;
+mod unsaved_shapes;
 mod webhook;
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]

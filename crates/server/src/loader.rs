@@ -1,11 +1,11 @@
 //! Loads files: the one that is open, and its preview.
 
-use crate::added::AddedShapes;
+use crate::act_checks;
 use crate::digested::hash;
+use crate::file_kind::kind_of;
 use crate::files::PartFolder;
 use crate::hub::Hub;
 use crate::job_findings;
-use crate::kind::kind_of;
 use crate::locks::{Lock, OPEN, lock};
 use crate::machine::{LastState, Link};
 use crate::open::{Open, hash_of};
@@ -15,8 +15,8 @@ use crate::preview::Basis;
 use crate::preview::{self, Charts, Preview};
 use crate::refusal::problem;
 use crate::setup::Builders;
-use crate::shop;
 use crate::thumbnails::Thumbnails;
+use crate::unsaved_shapes::UnsavedShapes;
 use kerf_journal::Journal;
 use kerf_model::Change as InputChange;
 use kerf_wire::preview::Timing;
@@ -41,7 +41,7 @@ pub struct Loader {
     /// The timing chart that is being made.
     pub charts: Charts,
     /// Shapes that are not saved.
-    pub added: AddedShapes,
+    pub added: UnsavedShapes,
     /// Small pictures of files that were previewed.
     pub thumbnails: Thumbnails,
     /// Number of the next preview.
@@ -88,7 +88,7 @@ impl Loader {
         parameters: FileParameters,
         run: Option<u32>,
     ) -> Result<(), Problem> {
-        shop::check(&parameters)?;
+        act_checks::check(&parameters)?;
         let bytes: Arc<[u8]> = self.files.folder.read(name)?.into();
         if kind_of(name) == FileKind::Job {
             let damaged = kerf_toolpath::read_whole(&bytes).err();
@@ -107,7 +107,7 @@ impl Loader {
     /// # Errors
     /// None is open, or a parameter makes no sense.
     pub fn run_with(self: &Arc<Self>, parameters: FileParameters) -> Result<(), Problem> {
-        shop::check(&parameters)?;
+        act_checks::check(&parameters)?;
         let open = self.open.lock().clone();
         if open.name.is_empty() {
             return Err(problem(Why::State, "no file is open"));
@@ -217,7 +217,7 @@ impl Loader {
         let made = match self.preview_workspace() {
             Err(error) => Err(error.to_string()),
             Ok(mut workspace) => self.work(&open).map_err(|problem| problem.text).map(|work| {
-                let parameters = shop::parameters(&open.parameters);
+                let parameters = act_checks::parameters(&open.parameters);
                 preview::make(work, parameters, session, &mut workspace, &open.given_up)
             }),
         };
@@ -265,7 +265,7 @@ impl Loader {
         let basis = inputs.is_empty().then(|| Basis::of(&session));
         let workspace = self.preview_workspace();
         let mut workspace = workspace.map_err(|error| problem(Why::File, error.to_string()))?;
-        let (work, parameters) = (self.work(&open)?, shop::parameters(&open.parameters));
+        let (work, parameters) = (self.work(&open)?, act_checks::parameters(&open.parameters));
         let made = preview::timing(work, parameters, inputs, session, &mut workspace, given_up);
         let made = Arc::new(made.ok_or_else(other)?);
         if let Some(basis) = basis {

@@ -4,7 +4,7 @@
 //! ([`Lock`]), and a debug build panics where the order is broken.
 //!
 //! ```text
-//!  DESK ──► OPEN ──► TAKEN ──► snapshot of the Hub ──► leaves: Link, Turn, Pages, Typed, Ran
+//!  DESK ──► OPEN ──► TAKEN ──► snapshot of the Hub ──► leaves: Link, Turn, Pages, Typed, LastRuns
 //!                          └─► Left
 //! ```
 //!

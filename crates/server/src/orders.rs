@@ -8,7 +8,7 @@
 
 use crate::asker::Asker;
 use crate::driving_turn::DrivingTurn;
-use crate::gate::{self, Way};
+use crate::gate::{self, Demand};
 use crate::hub::Hub;
 use crate::locks::lock;
 use crate::machine::link::{Held, Wanted};
@@ -97,7 +97,7 @@ impl Orders {
             return Ok(());
         }
         let asker = asker.ok_or_else(|| problem(Why::Lease, "nobody asked for this"))?;
-        gate::pass(now, &asker.who, Way::Order(order))?;
+        gate::pass(now, &asker.who, Demand::Order(order))?;
         if self.link.begin(Some(asker.stops()), held) { Ok(()) } else { Err(stopped()) }
     }
 
@@ -108,10 +108,10 @@ impl Orders {
     pub fn want_of<T>(
         &self,
         asker: &Asker,
-        way: Way<'_>,
+        demand: Demand<'_>,
         change: impl FnOnce(&mut Wanted) -> T,
     ) -> Result<T, Problem> {
-        self.hub.read(|now| match gate::pass(now, &asker.who, way)?.moves() {
+        self.hub.read(|now| match gate::pass(now, &asker.who, demand)?.moves() {
             true => self.link.want_since(asker.stops(), change).ok_or_else(stopped),
             false => Ok(self.link.want(change)),
         })
@@ -136,9 +136,9 @@ fn stopped() -> Problem {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::bench::{Bench, bench};
     use crate::handconsole::Happening;
     use crate::machine::Planned;
+    use crate::testing::{Bench, bench};
     use kerf_machine::{Configuration, Errand, Keypad};
     use kerf_program::AXES;
     use kerf_sbp::FileParameters;
@@ -258,10 +258,10 @@ mod tests {
     fn a_resume_that_arrived_before_a_disarm_does_not_go_on() {
         let bench = bench();
         let asker = bench.app.hears(&bench.driver);
-        assert!(bench.app.orders.want_of(&asker, Way::GoOn, |_| ()).is_ok());
+        assert!(bench.app.orders.want_of(&asker, Demand::GoOn, |_| ()).is_ok());
         bench.does(&bench.other, Act::Disarm);
         bench.arms();
-        let refused = bench.app.orders.want_of(&asker, Way::GoOn, |wanted| wanted.resume = true);
+        let refused = bench.app.orders.want_of(&asker, Demand::GoOn, |wanted| wanted.resume = true);
         assert_eq!(refused.map_err(|problem| problem.why), Err(Why::State));
         assert!(!bench.app.link.lock().resume);
     }

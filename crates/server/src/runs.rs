@@ -1,13 +1,14 @@
 //! Runs: how they begin, go on and are answered.
 
+use crate::act_checks;
 use crate::asker::Asker;
 use crate::configure::MachineSettings;
-use crate::gate::{self, Way};
+use crate::file_kind::kind_of;
+use crate::gate::{self, Demand};
 use crate::hub::Hub;
 use crate::interrupted;
 use crate::job::Jobs;
 use crate::job_findings;
-use crate::kind::kind_of;
 use crate::loader::Loader;
 use crate::locks::lock;
 use crate::machine::{LastState, Link, Order, Planned};
@@ -16,7 +17,6 @@ use crate::orders::Orders;
 use crate::part_files::PartFiles;
 use crate::preview::Preview;
 use crate::refusal::{not_open, problem};
-use crate::shop;
 use kerf_control::answers;
 use kerf_import::job_file;
 use kerf_machine::driver::Override;
@@ -46,7 +46,9 @@ impl Runs {
     /// Nothing is held, or somebody else drives.
     pub fn resume(&self, asker: &Asker) -> Result<(), Problem> {
         match self.hub.state() {
-            State::Held => self.orders.want_of(asker, Way::GoOn, |wanted| wanted.resume = true)?,
+            State::Held => {
+                self.orders.want_of(asker, Demand::GoOn, |wanted| wanted.resume = true)?
+            }
             State::Stopped => {
                 let number = self.hub.read(|now| now.asked.as_ref().map(|a| a.number));
                 let resume = |number| self.answer(asker, number, "Resume".into());
@@ -66,8 +68,9 @@ impl Runs {
         };
         check_answer(&asked, &answer)?;
         let act = Act::Answer { question, answer: answer.clone() };
-        let counts =
-            self.orders.want_of(asker, Way::Act(&act), |wanted| wanted.give(question, answer))?;
+        let counts = self
+            .orders
+            .want_of(asker, Demand::Act(&act), |wanted| wanted.give(question, answer))?;
         let late = || problem(Why::Late, "somebody else has answered this question");
         counts.then_some(()).ok_or_else(late)
     }
@@ -99,7 +102,7 @@ impl Runs {
         }
         self.unchanged(&open, &preview)?;
         let (work, planned) = (Box::new(self.loader.work(&open)?), preview.planned.clone());
-        let parameters = shop::parameters(&open.parameters);
+        let parameters = act_checks::parameters(&open.parameters);
         let parameters = kerf_sbp::FileParameters { stepped: step, ..parameters };
         let taken = work.takes_origin(lock(&self.left).session.memory.position);
         let opened = self.settings.opened(&asker.who, None).is_ok();

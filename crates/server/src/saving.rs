@@ -6,8 +6,8 @@
 //! ```
 
 use crate::digested::hash;
+use crate::file_kind::kind_of;
 use crate::files::{self, PartFolder};
-use crate::kind::kind_of;
 use crate::locks::lock;
 use crate::refusal::problem;
 use kerf_files::versions::Versions;

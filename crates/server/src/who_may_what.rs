@@ -2,9 +2,9 @@
 //! cell is tried at an app without a network; what acts, values and routes are told over the network is tried in
 //! `tests/who_may_what`.
 
-use crate::bench::{Bench, bench};
 use crate::handconsole::grant;
 use crate::people::Grip;
+use crate::testing::{Bench, bench};
 use kerf_control::answers::{KINDS, kind_word};
 use kerf_drawing::Shape;
 use kerf_geom::Point2;

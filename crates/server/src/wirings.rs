@@ -6,7 +6,7 @@
 use crate::asker::Asker;
 use crate::hub::Hub;
 use crate::locks::lock;
-use crate::machine::{LastState, Link, Stops};
+use crate::machine::{LastState, Link, StopCount};
 use crate::part_files::PartFiles;
 use crate::refusal::problem;
 use crate::saving::Leave;
@@ -257,7 +257,7 @@ struct Pages {
     hub: Arc<Hub>,
     link: Arc<Link>,
     /// Stops that had come when it began.
-    since: Stops,
+    since: StopCount,
     answered: Receiver<String>,
     shown: Wiring,
 }

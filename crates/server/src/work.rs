@@ -1,6 +1,6 @@
 //! The work that an open file has for the machine, and where it lies on the table.
 
-use crate::kind::kind_of;
+use crate::file_kind::kind_of;
 use crate::loader::Loader;
 use crate::locks::lock;
 use crate::open::Open;

@@ -5,7 +5,7 @@ use kerf_machine::height_follower::{
     self as follower, Follower, Sensed, TICK_S, acts_in, is_above_band, listens_in,
 };
 use kerf_machine::lines::Input;
-use kerf_machine::{Ahead, Carried, Lift, Reading};
+use kerf_machine::{Ahead, Lift, LiftOfMove, Reading};
 use kerf_model::flips;
 use kerf_model::{Change, Inputs};
 use kerf_motion::{Plan, Span, State};
@@ -224,11 +224,11 @@ impl Head {
         t0_s: f64,
         plan: &Plan,
         span: &Span<'_>,
-    ) -> Carried {
+    ) -> LiftOfMove {
         let before_mm = self.follower.offset_mm;
         let mut lift = Lift::still(before_mm);
         let Some(mut following) = self.following(lent) else {
-            return Carried { lift, readings: Vec::new() };
+            return LiftOfMove { lift, readings: Vec::new() };
         };
         let [begin_s, end_s] = [span.t0_s, span.t1_s].map(|s| t0_s + s);
         let mut readings = Vec::new();
@@ -238,7 +238,7 @@ impl Head {
             lift.carry((tick.t_s + TICK_S).min(end_s), tick.offset_mm);
         });
         self.follower = following.follower;
-        Carried { lift, readings }
+        LiftOfMove { lift, readings }
     }
 
     /// Foresees the ticks of height control over a plan from now on.

@@ -15,11 +15,11 @@
 //! Millimetres, degrees and seconds; positions in the machine frame.
 
 mod carriages;
-pub mod chance;
 mod hands;
 mod head;
 mod physics;
 mod pushes;
+pub mod random;
 mod scene;
 mod sheet;
 mod simulated;

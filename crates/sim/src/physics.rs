@@ -10,7 +10,7 @@ use crate::scene::{self, Touch};
 use crate::sheet::Sheet;
 use kerf_machine::homing::Which;
 use kerf_machine::lines::Input;
-use kerf_machine::{Ahead, Carried, Configuration};
+use kerf_machine::{Ahead, Configuration, LiftOfMove};
 use kerf_model::flips;
 use kerf_model::{Change, Inputs};
 use kerf_motion::{Plan, Span};
@@ -225,7 +225,7 @@ impl Physics {
     }
 
     /// A move was made.
-    pub(crate) fn made(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) -> Carried {
+    pub(crate) fn made(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) -> LiftOfMove {
         let lent = Lent { inputs: &self.inputs, modes: &self.settings.io };
         let carried = self.head.follow_sheet(lent, t0_s, plan, span);
         self.carriages.moved(span.made.from, span.made.to);

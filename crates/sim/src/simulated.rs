@@ -4,7 +4,7 @@ use crate::hands::{Hands, Opened};
 use crate::physics::Physics;
 use kerf_machine::driver::Facts;
 use kerf_machine::homing::Which;
-use kerf_machine::{Actuator, Ahead, Carried, Fault, Going, Machine, News};
+use kerf_machine::{Actuator, Ahead, Fault, Going, LiftOfMove, Machine, News};
 use kerf_model::{Change, triggers};
 use kerf_motion::{Move, Plan, Span};
 use kerf_program::{AXES, Axes, Axis, HeightLaw, Settings};
@@ -150,7 +150,7 @@ impl<C: Clock> Machine for Simulated<C> {
         self.physics.borrow_mut().foresee(ahead);
     }
 
-    fn made(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) -> Carried {
+    fn made(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) -> LiftOfMove {
         self.physics.borrow_mut().made(t0_s, plan, span)
     }
 

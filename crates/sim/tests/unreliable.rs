@@ -6,7 +6,7 @@ use kerf_machine::driver::{
     Driver, Garbled, Link, LinkNews, LinkState, Order, Reply, Sent, Signal,
 };
 use kerf_program::{Axes, Axis};
-use kerf_sim::chance::Chance;
+use kerf_sim::random::SeededRandom;
 
 /// Rates at which things go wrong, of a hundred.
 #[derive(Clone, Copy, Debug, Default)]
@@ -30,7 +30,7 @@ pub struct Faults {
 pub struct Unreliable<D> {
     inner: D,
     faults: Faults,
-    chance: Chance,
+    chance: SeededRandom,
     /// Replies on their way, with the time at which they arrive.
     on_the_way: Vec<(f64, Result<Reply, Garbled>)>,
 }
@@ -38,7 +38,7 @@ pub struct Unreliable<D> {
 impl<D> Unreliable<D> {
     /// A driver whose line is as bad as this.
     pub const fn new(inner: D, faults: Faults, seed: u64) -> Self {
-        Self { inner, faults, chance: Chance::new(seed), on_the_way: Vec::new() }
+        Self { inner, faults, chance: SeededRandom::new(seed), on_the_way: Vec::new() }
     }
 
     /// The driver behind the line.
@@ -49,13 +49,13 @@ impl<D> Unreliable<D> {
 
 impl<D: Driver> Driver for Unreliable<D> {
     fn send(&mut self, sent: &Sent, now_s: f64) {
-        if !self.chance.happens(self.faults.orders_lost) {
+        if !self.chance.in_percent(self.faults.orders_lost) {
             self.inner.send(sent, now_s);
         }
     }
 
     fn signal(&mut self, signal: Signal, now_s: f64) {
-        if !self.chance.happens(self.faults.orders_lost) {
+        if !self.chance.in_percent(self.faults.orders_lost) {
             self.inner.signal(signal, now_s);
         }
     }
@@ -63,13 +63,13 @@ impl<D: Driver> Driver for Unreliable<D> {
     fn replies(&mut self, now_s: f64) -> Vec<Result<Reply, Garbled>> {
         let faults = self.faults;
         for reply in self.inner.replies(now_s) {
-            if self.chance.happens(faults.lost) {
+            if self.chance.in_percent(faults.lost) {
                 continue;
             }
-            let reply = if self.chance.happens(faults.garbled) { Err(Garbled) } else { reply };
-            let late = if self.chance.happens(faults.late) { self.chance.share() } else { 0.0 };
+            let reply = if self.chance.in_percent(faults.garbled) { Err(Garbled) } else { reply };
+            let late = if self.chance.in_percent(faults.late) { self.chance.share() } else { 0.0 };
             let arrives_s = now_s + late * faults.late_s;
-            if self.chance.happens(faults.twice) {
+            if self.chance.in_percent(faults.twice) {
                 self.on_the_way.push((arrives_s, reply.clone()));
             }
             self.on_the_way.push((arrives_s, reply));
@@ -83,9 +83,9 @@ impl<D: Driver> Driver for Unreliable<D> {
 
 /// A program of moves and outputs drawn from a seed.
 fn program(seed: u64) -> Vec<Order> {
-    let mut chance = Chance::new(seed);
-    let order = |chance: &mut Chance| match chance.happens(30) {
-        true => Order::Output { line: 1 + (chance.share() * 8.0) as u8, on: chance.happens(50) },
+    let mut chance = SeededRandom::new(seed);
+    let order = |chance: &mut SeededRandom| match chance.in_percent(30) {
+        true => Order::Output { line: 1 + (chance.share() * 8.0) as u8, on: chance.in_percent(50) },
         false => {
             let to = Axes::xyz(chance.share() * 9.0, chance.share() * 9.0, 0.0);
             Order::Move { to, speed_mm_s: 5.0 + chance.share() * 40.0 }

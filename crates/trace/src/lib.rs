@@ -18,8 +18,8 @@ pub mod json;
 mod run_status;
 mod sink;
 mod summary;
+pub mod switching;
 mod tally;
-pub mod timing;
 pub mod vcd;
 
 pub use event::Event;

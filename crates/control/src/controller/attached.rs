@@ -418,7 +418,7 @@ impl Controller {
     /// Learns from a run that went well how long its motion took beside what was told.
     fn learns(&self, well: bool, workspace: &mut Workspace) {
         let mut connection = self.connection.borrow_mut();
-        let (told_s, taken_s) = connection.stopwatch.ends();
+        let (told_s, taken_s) = connection.stopwatch.take_times();
         let learned = connection.learned.run(told_s, taken_s);
         if well && learned != connection.learned {
             connection.learned = learned;

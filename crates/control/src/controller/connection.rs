@@ -454,7 +454,7 @@ impl Connection {
             self.turned.hear(holds);
         }
         if self.turned.changes_time() || self.link.driver().waits().is_some() {
-            self.stopwatch.spoils();
+            self.stopwatch.skip_stretch();
         }
         let told = self.link.poll(self.now_s());
         for told in told {
@@ -463,7 +463,7 @@ impl Connection {
                     self.done = ticket;
                     self.open = self.open.saturating_sub(1);
                     if self.open == 0 {
-                        self.stopwatch.stands(self.now_s());
+                        self.stopwatch.end_stretch(self.now_s());
                     }
                     if self.probing == Some(ticket) {
                         self.probed();
@@ -537,8 +537,8 @@ impl Connection {
 
     pub(super) fn order(&mut self, order: Order) -> Option<Ticket> {
         match order {
-            Order::Output { .. } | Order::Spindle { .. } => self.stopwatch.switches(),
-            Order::Probe { .. } | Order::Home | Order::Unlock => self.stopwatch.spoils(),
+            Order::Output { .. } | Order::Spindle { .. } => self.stopwatch.count_to_stand(),
+            Order::Probe { .. } | Order::Home | Order::Unlock => self.stopwatch.skip_stretch(),
             Order::Move { .. } | Order::Jog { .. } | Order::Arc { .. } => {}
         }
         let ticket = self.link.order(order)?;
@@ -550,7 +550,7 @@ impl Connection {
     /// move, whatever the machine should have on.
     pub(super) fn stop_at_once(&mut self) {
         let until_s = self.now_s() + STOPPING_S;
-        self.stopwatch.spoils();
+        self.stopwatch.skip_stretch();
         self.link.stop(self.now_s());
         while !self.dead {
             let now_s = self.now_s();
@@ -590,7 +590,7 @@ impl Connection {
     /// Slows down on the path until it stands, and keeps everything.
     pub(super) fn comes_to_hold(&mut self) {
         let until_s = self.now_s() + STOPPING_S;
-        self.stopwatch.spoils();
+        self.stopwatch.skip_stretch();
         self.signal(Signal::Hold);
         while self.failure.is_none() && self.link.driver().hold() == Hold::Ordered {
             let now_s = self.now_s();

@@ -53,7 +53,7 @@ impl Connection {
             if watches.is_empty() { together(moves, self.facts.arc_tolerance_mm) } else { 1 };
         if count > 1 && self.contact.is_none() && self.probing.is_none() {
             self.switch_outputs();
-            self.stopwatch.moves(&moves[..count], self.now_s());
+            self.stopwatch.add_moves(&moves[..count], self.now_s());
             return self.hand_together(&moves[..count]);
         }
         let probes = self.probes(made, watches);
@@ -63,10 +63,10 @@ impl Connection {
         self.switch_outputs();
         let chords = chords(made, self.facts.arc_tolerance_mm);
         let mut speed_mm_s = speed_mm_s(made, &chords);
-        self.stopwatch.moves(&moves[..1], self.now_s());
+        self.stopwatch.add_moves(&moves[..1], self.now_s());
         self.looks_often = !watches.is_empty() && probes.is_none();
         if !watches.is_empty() {
-            self.stopwatch.spoils();
+            self.stopwatch.skip_stretch();
         }
         if let Some(Watch { active, .. }) = probes {
             let order = Order::Probe { to: made.to.minus(self.offset), speed_mm_s, active };

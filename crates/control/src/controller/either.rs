@@ -174,7 +174,7 @@ impl Controller {
     /// Has it keep another value of a setting; the time that is told of files follows.
     ///
     /// # Errors
-    /// It keeps none of this number, is at work, or refuses.
+    /// The controller is busy, has no setting of this number, or refuses the value.
     pub fn keeps_setting(
         &self,
         number: u16,
@@ -358,7 +358,7 @@ impl Controller {
         }
     }
 
-    /// The run is over; when it did not end well, everything is stopped and switched off. Keeps where it was left.
+    /// Ends the run on the controller, which stops and switches everything off unless it ended well. Keeps where it was left.
     pub fn ends(&self, well: bool, workspace: &mut Workspace, is_stopped: impl FnMut() -> bool) {
         match self {
             Self::Followed(controller) => controller.ends(well, workspace, is_stopped),
@@ -366,7 +366,7 @@ impl Controller {
         }
     }
 
-    /// It is driven no more: what was changed in it is put back.
+    /// Lets the controller go, and puts back what was changed in it.
     pub fn detach(&self, workspace: &mut Workspace) {
         match self {
             Self::Followed(controller) => controller.detach(workspace),

@@ -76,7 +76,7 @@ pub fn question_in(lines: &str) -> Option<&str> {
 /// Asks the controller a question, and waits until it is answered: the answer is among the lines that came.
 ///
 /// # Errors
-/// It is at work, this is no question, or it knows no answer.
+/// The controller is busy, the text is no question, or the controller does not know it.
 pub fn ask(
     connection: &mut Connection,
     question: &str,

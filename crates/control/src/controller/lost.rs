@@ -47,7 +47,7 @@ impl Connection {
     /// The line is gone: for good, where nobody can open it.
     pub(super) fn line_is_lost(&mut self, why: String) {
         let now_s = self.now_s();
-        self.stopwatch.spoils();
+        self.stopwatch.skip_stretch();
         self.log.link(&format!("the line is lost: {why}"));
         self.lost = Some(Lost { since_s: now_s, tried_s: now_s, why, opening: None });
         // Whoever holds a port keeps it from coming back under its name.

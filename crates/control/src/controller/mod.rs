@@ -33,7 +33,7 @@ mod ordered_outputs;
 pub mod queued;
 mod row;
 #[cfg(test)]
-mod sent;
+mod sent_tests;
 mod socket;
 mod stopwatch;
 mod touch_off;

@@ -36,8 +36,8 @@ impl Stopwatch {
         Self { pace, stretch: None, told_s: 0.0, taken_s: 0.0 }
     }
 
-    /// Moves are handed over at a moment.
-    pub fn moves(&mut self, moves: &[Move], now_s: f64) {
+    /// Adds moves that are handed over at a moment.
+    pub fn add_moves(&mut self, moves: &[Move], now_s: f64) {
         let Some(pace) = &self.pace else { return };
         let begin =
             || Stretch { since_s: now_s, told_s: 0.0, moves: Vec::new(), counted: 0, counts: true };
@@ -48,22 +48,22 @@ impl Stopwatch {
         }
     }
 
-    /// Something is switched behind the moves so far: the controller comes to a stand for it.
-    pub fn switches(&mut self) {
+    /// Counts the moves so far up to a stand: the controller stands for what is switched after them.
+    pub fn count_to_stand(&mut self) {
         if let (Some(pace), Some(stretch)) = (&self.pace, &mut self.stretch) {
             stretch.count(pace);
         }
     }
 
-    /// The motion under way takes a time that no planner says.
-    pub const fn spoils(&mut self) {
+    /// Leaves out the stretch under way, which takes a time that no planner says.
+    pub const fn skip_stretch(&mut self) {
         if let Some(stretch) = &mut self.stretch {
             stretch.counts = false;
         }
     }
 
-    /// Everything that was handed over is made, at a moment.
-    pub fn stands(&mut self, now_s: f64) {
+    /// Ends the stretch at a moment at which all moves of it are made.
+    pub fn end_stretch(&mut self, now_s: f64) {
         let (Some(pace), Some(mut stretch)) = (&self.pace, self.stretch.take()) else { return };
         stretch.count(pace);
         if stretch.counts {
@@ -72,8 +72,8 @@ impl Stopwatch {
         }
     }
 
-    /// Returns what was told and what was taken, seconds, and measures no more.
-    pub fn ends(&mut self) -> (f64, f64) {
+    /// Returns the time that the planner told and the time that motion took, seconds, and measures no more.
+    pub fn take_times(&mut self) -> (f64, f64) {
         let Self { told_s, taken_s, .. } = std::mem::take(self);
         (told_s, taken_s)
     }
@@ -126,49 +126,49 @@ mod tests {
     #[test]
     fn motion_alone_is_measured_from_stand_to_stand() {
         let (moves, mut watch) = (legs(50), Stopwatch::of(Some(pace())));
-        watch.moves(&moves[..20], 10.0);
-        watch.moves(&moves[20..], 10.1);
-        watch.stands(13.0);
+        watch.add_moves(&moves[..20], 10.0);
+        watch.add_moves(&moves[20..], 10.1);
+        watch.end_stretch(13.0);
         // Somebody is asked meanwhile, a tool is changed.
-        watch.moves(&moves, 500.0);
-        watch.stands(504.0);
-        let (told, taken) = watch.ends();
+        watch.add_moves(&moves, 500.0);
+        watch.end_stretch(504.0);
+        let (told, taken) = watch.take_times();
         assert!((told - 2.0 * told_s(&moves)).abs() < 1e-9, "{told}");
         assert!((taken - 7.0).abs() < 1e-9, "{taken}");
-        assert_eq!(watch.ends(), (0.0, 0.0));
+        assert_eq!(watch.take_times(), (0.0, 0.0));
     }
 
     #[test]
     fn what_was_held_or_turned_does_not_count() {
         let (moves, mut watch) = (legs(50), Stopwatch::of(Some(pace())));
-        watch.spoils();
-        watch.moves(&moves, 0.0);
-        watch.spoils();
-        watch.stands(60.0);
-        watch.moves(&moves, 70.0);
-        watch.stands(73.0);
-        let (told, taken) = watch.ends();
+        watch.skip_stretch();
+        watch.add_moves(&moves, 0.0);
+        watch.skip_stretch();
+        watch.end_stretch(60.0);
+        watch.add_moves(&moves, 70.0);
+        watch.end_stretch(73.0);
+        let (told, taken) = watch.take_times();
         assert!((told - told_s(&moves)).abs() < 1e-9 && (taken - 3.0).abs() < 1e-9);
     }
 
     #[test]
     fn a_switch_on_the_way_has_the_controller_stand() {
         let (moves, mut watch) = (legs(50), Stopwatch::of(Some(pace())));
-        watch.moves(&moves[..17], 0.0);
-        watch.switches();
-        watch.moves(&moves[17..], 0.0);
-        watch.stands(3.0);
+        watch.add_moves(&moves[..17], 0.0);
+        watch.count_to_stand();
+        watch.add_moves(&moves[17..], 0.0);
+        watch.end_stretch(3.0);
         let apart = told_s(&moves[..17]) + told_s(&moves[17..]);
-        assert!((watch.ends().0 - apart).abs() < 1e-9);
+        assert!((watch.take_times().0 - apart).abs() < 1e-9);
         assert!(apart > told_s(&moves) + 0.02);
     }
 
     #[test]
     fn a_long_way_is_counted_in_parts_as_at_once() {
         let (moves, mut watch) = (legs(40_000), Stopwatch::of(Some(pace())));
-        moves.chunks(100).for_each(|some| watch.moves(some, 0.0));
-        watch.stands(1.0);
+        moves.chunks(100).for_each(|some| watch.add_moves(some, 0.0));
+        watch.end_stretch(1.0);
         let whole = told_s(&moves);
-        assert!((watch.ends().0 / whole - 1.0).abs() < 1e-6);
+        assert!((watch.take_times().0 / whole - 1.0).abs() < 1e-6);
     }
 }

@@ -1,4 +1,4 @@
-//! A controller that is none: it reads lines and characters as the interface of grbl 1.1 is described, and
+//! A fake controller: it reads lines and characters as the interface of grbl 1.1 is described, and
 //! moves by a clock that is handed to it.
 //!
 //! It has what matters to whoever drives it: a receive buffer that overflows, a planner that looks ahead, a
@@ -43,7 +43,7 @@ const HOMING_S: f64 = 0.5;
 /// Time in which the spindle comes up again behind a door, seconds.
 const RESUMING_S: f64 = 0.6;
 
-/// A controller that is none.
+/// A fake controller.
 #[derive(Clone, Debug)]
 pub struct Fake {
     board: Board,

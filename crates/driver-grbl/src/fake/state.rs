@@ -1,4 +1,4 @@
-//! The state of the controller that is none.
+//! The state of the fake controller.
 
 /// Its state, as reports name it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

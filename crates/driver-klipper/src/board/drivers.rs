@@ -12,7 +12,7 @@ use super::channel::Channel;
 use super::inputs::Value32;
 use super::news::Fault;
 use crate::orders::OrderError;
-use crate::setup::{Driver, Way};
+use crate::setup::{Driver, RegisterLink};
 use crate::tmc::{Chip, Condition, DRV_STATUS, GSTAT, IFCNT, TmcError, Trouble, Write, spi};
 use std::collections::VecDeque;
 
@@ -73,7 +73,7 @@ impl Drivers {
         for (n, driver) in drivers.iter().enumerate() {
             let writes = driver.tuning.writes();
             let writes = writes.map_err(|why| failed(driver, &why.to_string()))?;
-            let is_wire = matches!(driver.way, Way::Wire { .. });
+            let is_wire = matches!(driver.way, RegisterLink::Wire { .. });
             let counts = is_wire.then_some(Step::Count);
             let holds = writes.iter().filter(|it| it.is_readable()).map(|it| Step::Holds(*it));
             let steps = [Step::Version].into_iter().chain(counts);
@@ -126,20 +126,24 @@ impl Drivers {
         let Driver { way, tuning, .. } = channel.setup.tuned[n].clone();
         let register = register(step, tuning.chip);
         self.turn = Some(match (way, step, self.turn) {
-            (Way::Wire { wire, address }, Step::Write(write), None | Some(Turn::Begins)) => {
+            (
+                RegisterLink::Wire { wire, address },
+                Step::Write(write),
+                None | Some(Turn::Begins),
+            ) => {
                 channel.write_register(wire, address, write.register, write.value)?;
                 self.until_s = now_s + ON_WIRE_S;
                 Turn::OnWire
             }
-            (Way::Wire { wire, address }, ..) => {
+            (RegisterLink::Wire { wire, address }, ..) => {
                 channel.ask_register(wire, address, register)?;
                 Turn::Waits { first: false }
             }
-            (Way::Select(select), Step::Write(write), _) => {
+            (RegisterLink::Select(select), Step::Write(write), _) => {
                 channel.transfer(select, spi::write(write.register, write.value))?;
                 Turn::Waits { first: true }
             }
-            (Way::Select(select), ..) => {
+            (RegisterLink::Select(select), ..) => {
                 channel.transfer(select, spi::read(register))?;
                 Turn::Waits { first: true }
             }
@@ -155,7 +159,7 @@ impl Drivers {
         value: Value32,
     ) -> Result<bool, Fault> {
         let Some((driver, step)) = self.front(channel) else { return Ok(false) };
-        let is_it = matches!(driver.way, Way::Wire { wire: own, .. } if own == wire);
+        let is_it = matches!(driver.way, RegisterLink::Wire { wire: own, .. } if own == wire);
         let waits = matches!(self.turn, Some(Turn::Waits { .. }));
         if !is_it || !waits || register(step, driver.tuning.chip) != of {
             return Ok(false);
@@ -171,7 +175,7 @@ impl Drivers {
         value: Value32,
     ) -> Result<(), Fault> {
         let Some((driver, step)) = self.front(channel) else { return Ok(()) };
-        if driver.way != Way::Select(select) {
+        if driver.way != RegisterLink::Select(select) {
             return Ok(());
         }
         if let Some(Turn::Waits { first: true }) = self.turn {
@@ -207,7 +211,9 @@ impl Drivers {
         let value = match value {
             Ok(value) => value,
             // A chip with a select may hold a register of zeros.
-            Err(TmcError::Silent) if matches!(driver.way, Way::Select(_)) && step == Step::Kept => {
+            Err(TmcError::Silent)
+                if matches!(driver.way, RegisterLink::Select(_)) && step == Step::Kept =>
+            {
                 0
             }
             Err(why) => return Some(why.to_string()),
@@ -224,7 +230,7 @@ impl Drivers {
                 self.count = value as u8;
                 None
             }
-            (Step::Write(_), Way::Wire { .. }) => {
+            (Step::Write(_), RegisterLink::Wire { .. }) => {
                 let raised = value as u8 == self.count.wrapping_add(1);
                 self.count = value as u8;
                 if raised { None } else { deaf() }

@@ -1,4 +1,4 @@
-//! A board that is none, after the protocol's description. It shares no code with the crate: it has its own reader of
+//! A fake board, after the protocol's description. It shares no code with the crate: it has its own reader of
 //! frames, its own numbers, and a dictionary of its own whose numbers differ from seed to seed.
 //!
 //! It stands in the library so that tests of the command and an example can use it.

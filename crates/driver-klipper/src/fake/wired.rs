@@ -1,4 +1,4 @@
-//! A board that is none, with both ways of its line, in time that is none.
+//! A fake board, with both ways of its line, in simulated time.
 
 use super::{Board, Faults, Line};
 

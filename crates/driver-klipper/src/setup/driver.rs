@@ -23,7 +23,7 @@ pub struct DriverSelect {
 
 /// The way to the registers of a motor driver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
+pub enum RegisterLink {
     /// An address on a wire.
     Wire {
         /// Place of the wire among the wires.
@@ -41,7 +41,7 @@ pub struct Driver {
     /// The name of its motor, as people know it.
     pub name: String,
     /// The way to its registers.
-    pub way: Way,
+    pub way: RegisterLink,
     /// The values in them.
     pub tuning: Tuning,
 }

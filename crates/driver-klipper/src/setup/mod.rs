@@ -9,7 +9,7 @@ mod needs;
 mod pins;
 mod share;
 
-pub use driver::{Driver, DriverSelect, DriverWire, Way};
+pub use driver::{Driver, DriverSelect, DriverWire, RegisterLink};
 pub use pins::{Pin, Pull};
 pub use share::{Share, own};
 

@@ -1,6 +1,6 @@
 //! The share that one board has in a machine of several: its own motors, switches and outputs, counted anew.
 
-use super::{Driver, Pin, Setup, SetupError, Way};
+use super::{Driver, Pin, RegisterLink, Setup, SetupError};
 
 /// A board's part of a setup. The lists name its things by their places in the whole, in the order of the part.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -55,8 +55,10 @@ impl Setup {
         let (selects, own_selects) = part(&self.selects, |select| pin(&select.cs));
         let tuned = self.tuned.iter().filter_map(|driver| {
             let way = match driver.way {
-                Way::Wire { wire, address } => Way::Wire { wire: own(&drivers, wire)?, address },
-                Way::Select(select) => Way::Select(own(&selects, select)?),
+                RegisterLink::Wire { wire, address } => {
+                    RegisterLink::Wire { wire: own(&drivers, wire)?, address }
+                }
+                RegisterLink::Select(select) => RegisterLink::Select(own(&selects, select)?),
             };
             Some(Driver { way, ..driver.clone() })
         });

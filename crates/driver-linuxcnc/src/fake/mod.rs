@@ -1,4 +1,4 @@
-//! A bridge that is none, with a LinuxCNC that is none behind it: it reads lines as the bridge does, and moves by a clock
+//! A fake bridge, with a fake LinuxCNC behind it: it reads lines as the bridge does, and moves by a clock
 //! that is handed to it.
 //!
 //! It has what matters to whoever drives it: numbered lines with check numbers, pieces that are made one at a time, a
@@ -36,7 +36,7 @@ enum Doing {
     Stopped,
 }
 
-/// A bridge that is none.
+/// A fake bridge.
 #[derive(Clone, Debug)]
 pub struct Fake {
     clock_s: f64,

@@ -18,12 +18,12 @@ const MOST_WAITING: usize = 8;
 const MOST_BYTES: usize = 1 << 24;
 
 /// Lists of one type that wait.
-type Shelf<T> = RefCell<Vec<Vec<T>>>;
+type WaitingLists<T> = RefCell<Vec<Vec<T>>>;
 
 /// Type of the elements of lists that are kept.
 pub(super) trait Kept: Copy {
     /// Returns the shelf on which its lists wait.
-    fn shelf(scratch: &Scratch) -> &Shelf<Self>;
+    fn shelf(scratch: &Scratch) -> &WaitingLists<Self>;
 }
 
 /// A shelf for each type.
@@ -32,10 +32,10 @@ macro_rules! shelves {
         /// Lists of all types that an offset needs.
         #[derive(Default)]
         pub(super) struct Scratch {
-            $($name: Shelf<$type>),+
+            $($name: WaitingLists<$type>),+
         }
         $(impl Kept for $type {
-            fn shelf(scratch: &Scratch) -> &Shelf<Self> {
+            fn shelf(scratch: &Scratch) -> &WaitingLists<Self> {
                 &scratch.$name
             }
         })+

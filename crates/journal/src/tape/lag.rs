@@ -8,7 +8,7 @@ type Share = (u64, f64);
 /// The shares that were told lately, and the one that is sure.
 #[derive(Debug)]
 pub(super) struct Lag {
-    /// A run tells of a move so long before it is made at most, seconds.
+    /// Longest time by which a move is reported before it is made, seconds.
     leads_s: f64,
     now_s: f64,
     sure: Share,

@@ -33,7 +33,7 @@ pub struct PlotArgs {
     axes: Option<std::vec::Vec<Axis>>,
     /// What runs along the lower edge
     #[arg(long, value_enum, default_value = "both")]
-    over: Over,
+    over: Abscissa,
     /// Begins at a time in seconds
     #[arg(long, value_name = "SECONDS", value_parser = parse::not_negative, default_value = "0")]
     from: f64,
@@ -58,7 +58,7 @@ impl PlotArgs {
 
 /// What runs along the lower edge.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum Over {
+enum Abscissa {
     Time,
     Path,
     Both,
@@ -90,9 +90,9 @@ pub fn run(args: &PlotArgs) -> Result<Exit> {
 
 fn write(plot: &Plot, format: PictureFormat, args: &PlotArgs) -> Result<()> {
     let sides = match args.over {
-        Over::Time => Sides::Time,
-        Over::Path => Sides::Path,
-        Over::Both => Sides::Both,
+        Abscissa::Time => Sides::Time,
+        Abscissa::Path => Sides::Path,
+        Abscissa::Both => Sides::Both,
     };
     let bytes = match format {
         PictureFormat::Svg => plot.svg(sides).into_bytes(),

@@ -8,7 +8,7 @@ use crate::machine_name::DriverName;
 use crate::{given, out};
 use anyhow::{Result, anyhow, bail};
 use kerf_control::controller::Place;
-use kerf_control::controller::queued::{Queued, Socket, Way, introduced, others};
+use kerf_control::controller::queued::{AxisMove, Queued, Socket, introduced, others};
 use kerf_driver_klipper::board::{Held, Introduced};
 use kerf_driver_klipper::dictionary::Dictionary;
 use kerf_driver_klipper::mailbox::Progress;
@@ -190,8 +190,8 @@ fn stops(queued: &mut Queued, machine: &Configuration) -> Result<String, String>
 }
 
 /// The way of X to a place.
-const fn way(to_mm: f64) -> Way {
-    Way { axis: Axis::X, to_mm, mm_s: SPEED_MM_S }
+const fn way(to_mm: f64) -> AxisMove {
+    AxisMove { axis: Axis::X, to_mm, mm_s: SPEED_MM_S }
 }
 
 /// Stops X on its way at once; returns the time until the board told where, seconds.

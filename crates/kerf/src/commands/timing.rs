@@ -10,7 +10,7 @@ use anyhow::Result;
 use clap::Args;
 use kerf_control::RunContext;
 use kerf_preview::timing::{Course, Timing, corners};
-use kerf_trace::timing::Lines;
+use kerf_trace::switching::Lines;
 use std::path::PathBuf;
 
 /// Draws the timing of a job or part file: inputs and outputs under the motion

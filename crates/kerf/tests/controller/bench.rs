@@ -1,4 +1,4 @@
-//! A controller that is none, at the far end of a port or of the network; unplugged when it is dropped.
+//! A fake controller, at the far end of a port or of the network; unplugged when it is dropped.
 
 use crate::shop::{Did, Shop};
 use kerf_driver_grbl::fake::Fake;

@@ -1,4 +1,4 @@
-//! `kerf run --driver`: runs on a controller that is none, on a pseudo terminal. A program of its own, as the controller
+//! `kerf run --driver`: runs on a fake controller, on a pseudo terminal. A program of its own, as the controller
 //! moves in real time and notices when nothing is sent to it.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::print_stdout, non_snake_case)]

@@ -1,4 +1,4 @@
-//! `kerf run --machine klipper:PORT`: runs on a board with step queues that is none, on a pseudo terminal.
+//! `kerf run --machine klipper:PORT`: runs on a fake board with step queues, on a pseudo terminal.
 
 use crate::shop::{Did, Shop};
 use kerf_control::controller::queued::raise_priority;

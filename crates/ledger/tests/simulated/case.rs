@@ -80,14 +80,14 @@ impl Case {
         case.vary(&mut Dice::new(seed ^ VARIES));
         case.widen(&mut Dice::new(seed ^ WIDER));
         let mut dice = Dice::new(seed ^ GIVES_UP);
-        case.gives_up = (0..8).filter(|_| dice.happens(15)).collect();
+        case.gives_up = (0..8).filter(|_| dice.in_percent(15)).collect();
         case
     }
 
     /// What was thought of later: earlier seeds stay what they were.
     fn vary(&mut self, dice: &mut Dice) {
         if let What::Job(_, machine) = &mut self.what {
-            machine.height.invert = dice.happens(30);
+            machine.height.invert = dice.in_percent(30);
         }
         self.started = wall_clock(dice);
     }
@@ -96,7 +96,7 @@ impl Case {
     fn widen(&mut self, dice: &mut Dice) {
         if let What::Part { name, text } = &mut self.what
             && self.seed >= FIRST_WIDER
-            && dice.happens(50)
+            && dice.in_percent(50)
         {
             *text = programs::wider(text, *name == "a.nc", dice);
         }
@@ -108,7 +108,7 @@ impl Case {
             let request = match dice.below(8) {
                 0 => OperatorRequest::Feed(dice.between(0.3, 1.8) as f32),
                 1 => OperatorRequest::Hold,
-                2 if dice.happens(30) => OperatorRequest::End,
+                2 if dice.in_percent(30) => OperatorRequest::End,
                 _ => OperatorRequest::Stop,
             };
             self.requests.push((dice.between(0.0, 1.0), request));
@@ -264,7 +264,7 @@ fn part(name: &'static str, text: String) -> What {
 fn settings(dice: &mut Dice) -> Settings {
     let mut settings = Settings::default();
     let inch = |v: f64| v * 25.4;
-    settings.limits.check = dice.happens(60);
+    settings.limits.check = dice.in_percent(60);
     settings.limits.low = Axes([inch(-1.0), inch(-1.0), inch(-2.0), inch(-9.0), -360.0, -360.0]);
     settings.limits.high = Axes([inch(11.0), inch(11.0), inch(2.0), inch(9.0), 360.0, 360.0]);
     settings.warning_s = dice.of(&[0.0, 1.0]);

@@ -1,14 +1,14 @@
 //! Choices from a seed.
 
-use kerf_sim::chance::Chance;
+use kerf_sim::random::SeededRandom;
 
 /// Throws dice.
 #[derive(Clone, Debug)]
-pub struct Dice(Chance);
+pub struct Dice(SeededRandom);
 
 impl Dice {
     pub fn new(seed: u64) -> Self {
-        Self(Chance::new(seed))
+        Self(SeededRandom::new(seed))
     }
 
     /// A whole number from 0 to below so many.
@@ -27,7 +27,7 @@ impl Dice {
     }
 
     /// Whether something happens that does so in so many of a hundred cases.
-    pub fn happens(&mut self, percent: u32) -> bool {
-        self.0.happens(percent)
+    pub fn in_percent(&mut self, percent: u32) -> bool {
+        self.0.in_percent(percent)
     }
 }

@@ -15,7 +15,7 @@ fn point(dice: &mut Dice) -> Point2 {
 
 fn path(dice: &mut Dice) -> Polyarc {
     let at = point(dice);
-    if dice.happens(25) {
+    if dice.in_percent(25) {
         let side = dice.between(5.0, 80.0);
         return Polyarc::rectangle(at, Point2::new(at.x + side, at.y + side));
     }
@@ -24,7 +24,7 @@ fn path(dice: &mut Dice) -> Polyarc {
         let (dx, dy) = (dice.between(1.0, 60.0), dice.between(1.0, 60.0));
         Point2::new(at.x + dx, at.y + dy)
     };
-    let bulges = dice.happens(40);
+    let bulges = dice.in_percent(40);
     let mut vertices: Vec<Vertex> = (0..count)
         .map(|_| {
             let bulge = if bulges { dice.between(-0.9, 0.9) } else { 0.0 };
@@ -32,7 +32,7 @@ fn path(dice: &mut Dice) -> Polyarc {
         })
         .collect();
     vertices.insert(0, Vertex { at, bulge: 0.0 });
-    Polyarc { vertices, closed: dice.happens(50) }
+    Polyarc { vertices, closed: dice.in_percent(50) }
 }
 
 fn shape(dice: &mut Dice, number: u32) -> JobShape {
@@ -40,7 +40,7 @@ fn shape(dice: &mut Dice, number: u32) -> JobShape {
     let mut shape = JobShape::through(number, path);
     match dice.below(8) {
         0 => {
-            let pass_mm = dice.happens(60).then(|| dice.between(1.0, 4.0));
+            let pass_mm = dice.in_percent(60).then(|| dice.between(1.0, 4.0));
             (shape.height, shape.pass_mm) = (CutDepth::Mm(dice.between(-9.0, -1.0)), pass_mm);
         }
         1 => {
@@ -56,9 +56,9 @@ fn shape(dice: &mut Dice, number: u32) -> JobShape {
     }
     shape.tool = 1 + dice.below(3) as u8;
     shape.cut = 1 + dice.below(3) as u8;
-    shape.speed_mm_s = dice.happens(30).then(|| dice.between(5.0, 150.0));
-    shape.pause = dice.happens(8);
-    shape.traversal = dice.happens(5);
+    shape.speed_mm_s = dice.in_percent(30).then(|| dice.between(5.0, 150.0));
+    shape.pause = dice.in_percent(8);
+    shape.traversal = dice.in_percent(5);
     shape.group = dice.of(&["black", "red", "blue"]).into();
     shape
 }
@@ -67,7 +67,7 @@ fn shape(dice: &mut Dice, number: u32) -> JobShape {
 pub fn random(dice: &mut Dice) -> Job {
     let count = 1 + dice.below(5) as u32;
     let shapes: Vec<JobShape> = (1..=count).map(|n| shape(dice, n)).collect();
-    let far = if dice.happens(4) { 2400.0 } else { 500.0 };
+    let far = if dice.in_percent(4) { 2400.0 } else { 500.0 };
     Job {
         origin: Some(Point2::new(dice.between(0.0, far), dice.between(0.0, 500.0))),
         finish: Some(point(dice)),
@@ -81,17 +81,17 @@ pub fn random(dice: &mut Dice) -> Job {
 pub fn machine(dice: &mut Dice) -> Configuration {
     let mut machine = sim();
     machine.axes.limit_movement = true;
-    machine.pause.raise = dice.happens(70);
+    machine.pause.raise = dice.in_percent(70);
     machine.delays.bottom_s = dice.of(&[0.0, 0.2, 1.0]);
     machine.delays.air_tool_s = dice.of(&[0.0, 0.5]);
-    machine.misc.double_start = dice.happens(10);
-    machine.job.change_origin_at_start = dice.happens(10);
+    machine.misc.double_start = dice.in_percent(10);
+    machine.job.change_origin_at_start = dice.in_percent(10);
     match dice.below(8) {
         0 | 1 => {
             machine.intensity.output = true;
             machine.laser.use_laser = true;
             machine.laser.kind = Some(dice.of(&[LaserType::Continuous, LaserType::Pulsed]));
-            machine.laser.pierce.use_sequence = dice.happens(60);
+            machine.laser.pierce.use_sequence = dice.in_percent(60);
             machine.laser.pierce.time_ms = 200.0;
             machine.laser.pierce.intensity = 90;
             machine.laser.pierce.gas_tool = dice.of(&[None, Some(3)]);

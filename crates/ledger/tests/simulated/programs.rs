@@ -7,7 +7,7 @@ pub const SUB: &str = "SA\nM2,2,1\nM3,3,2,-.2\nCC,1,T,1,0,360,,1\nM2,1,3\nJZ,.3\
 
 /// A value on the table, rarely beside it.
 fn place(dice: &mut Dice) -> String {
-    let (low, high) = if dice.happens(1) { (-3.0, 13.0) } else { (0.2, 9.5) };
+    let (low, high) = if dice.in_percent(1) { (-3.0, 13.0) } else { (0.2, 9.5) };
     format!("{:.3}", dice.between(low, high))
 }
 

@@ -27,7 +27,7 @@ impl Model {
         self.inputs.when(number, on, self.clock_s, &self.settings.io)
     }
 
-    /// Inputs that changed from a moment on, up to now, and what they read.
+    /// Returns the inputs that changed from a moment on, up to now, and what they read.
     pub fn changed_since(&self, from_s: f64) -> Vec<(u8, bool)> {
         self.inputs.changed_since(from_s, &self.settings.io)
     }
@@ -37,7 +37,7 @@ impl Model {
         self.inputs.told_s().map_or(self.clock_s, |told_s| told_s.max(self.clock_s))
     }
 
-    /// The first change that was told, up to a time, that stops motion, or a program that waits.
+    /// Returns the first change that was told, up to a time, that stops motion, or a program that waits.
     pub fn halted(&self, until_s: f64, watches: &[Watched]) -> Option<Halt> {
         self.halted_by(
             until_s,
@@ -46,7 +46,7 @@ impl Model {
         )
     }
 
-    /// The same while nothing moves.
+    /// Returns the first change that was told, up to a time, that stops a program while nothing moves.
     pub fn halted_at_rest(&self, until_s: f64, watches: &[Watched]) -> Option<Halt> {
         self.halted_by(
             until_s,
@@ -62,7 +62,7 @@ impl Model {
         (changes && !self.draws()).then(halt).flatten()
     }
 
-    /// A stop input that forbids motion now.
+    /// Returns a stop input that forbids motion now.
     pub fn stop_input(&self) -> Option<u8> {
         if self.draws() {
             return None;
@@ -70,7 +70,7 @@ impl Model {
         self.inputs.stopping(&self.settings.io)
     }
 
-    /// A limit switch that is on now, or whose wire is broken, and that nobody has overridden.
+    /// Returns a limit switch that is on now, or whose wire is broken, and that nobody has overridden.
     pub fn limit_input(&self) -> Option<u8> {
         if self.draws() {
             return None;
@@ -78,14 +78,14 @@ impl Model {
         self.inputs.limiting(&self.settings.io, &self.overridden.switches)
     }
 
-    /// Tells whether the controller answers. What is only drawn needs none.
+    /// Returns `true` if the controller answers, or motion is only drawn and needs none.
     pub fn is_connected(&self) -> bool {
         let Settings { driver, controller, io, .. } = &*self.settings;
         let answers = controller.is_simulated(driver.port) && self.inputs.reads(CABLE, io);
         self.draws() || answers
     }
 
-    /// An open enclosure that forbids motion and spindles now: the input that tells it.
+    /// Returns the input that tells of an open enclosure, which forbids motion and spindles now.
     pub fn open_enclosure(&self) -> Option<u8> {
         let interlock = self.settings.io.interlock?;
         (!self.draws() && self.input(interlock)).then_some(interlock)
@@ -96,7 +96,7 @@ impl Model {
         self.drawing_from.is_some()
     }
 
-    /// Machine time, seconds.
+    /// Returns machine time, seconds.
     pub const fn clock_s(&self) -> f64 {
         self.clock_s
     }
@@ -106,7 +106,7 @@ impl Model {
         self.position
     }
 
-    /// Returns its position, axes that move on their own included, machine frame.
+    /// Returns the position, axes that move on their own included, machine frame.
     pub fn true_position(&self) -> Axes {
         let mut place = self.position;
         for axis in Axis::ALL {
@@ -116,38 +116,38 @@ impl Model {
         place
     }
 
-    /// Axes that move by themselves.
+    /// Returns the axes that move by themselves.
     pub fn spinning(&self) -> AxisSet {
         let moving = Axis::ALL.into_iter().filter(|axis| self.spins[axis.index()].moves());
         moving.fold(AxisSet::EMPTY, AxisSet::with)
     }
 
-    /// Lists the axes that move by themselves, with their motions.
+    /// Returns the axes that move by themselves, with their motions.
     pub fn moving_alone(&self) -> Vec<(Axis, Independent)> {
         self.spinning().iter().map(|axis| (axis, self.spins[axis.index()].motion())).collect()
     }
 
-    /// The frames in force.
+    /// Returns the frames in force.
     pub const fn frame(&self) -> &Frame {
         &self.frame
     }
 
-    /// The settings in force.
+    /// Returns the settings in force.
     pub const fn settings(&self) -> &Arc<Settings> {
         &self.settings
     }
 
-    /// The outputs.
+    /// Returns the outputs.
     pub const fn outputs(&self) -> &Outputs {
         &self.outputs
     }
 
-    /// Temperature of the heater, degrees.
+    /// Returns the temperature of the heater, degrees.
     pub const fn heater_degrees(&self) -> f64 {
         self.heater.degrees()
     }
 
-    /// Steps each motor has made, driver channel 1 first.
+    /// Returns the steps that each motor has made, driver channel 1 first.
     pub fn steps(&self) -> [i64; AXES] {
         let mut motors = self.motors.clone();
         if !self.draws() {
@@ -156,18 +156,18 @@ impl Model {
         motors.steps()
     }
 
-    /// Axes that may have been moved while the motors had no power, and whose location nobody has
+    /// Returns the axes that may have been moved while the motors had no power, and whose location nobody has
     /// set since.
     pub const fn unverified(&self) -> AxisSet {
         self.unverified
     }
 
-    /// The motor of an axis that moves while the others stand; `None` for all.
+    /// Returns the motor of an axis that moves while the others stand; `None` for all.
     pub const fn alone(&self) -> Option<(Axis, usize)> {
         self.alone
     }
 
-    /// The first move of a stack that would leave the table, or the lengths of the axes, unless limits
+    /// Returns the first move of a stack that would leave the table, or the lengths of the axes, unless limits
     /// are off or overridden.
     pub fn first_outside(&self, moves: &[Move]) -> Option<Violation> {
         if self.overridden.table {

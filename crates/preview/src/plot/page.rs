@@ -1,7 +1,7 @@
 //! The page: heading and key, and three charts over time beside three along the path.
 
 use super::chart::{Chart, EM, words};
-use super::record::{Doing, Over, Plot};
+use super::record::{CurvesOverAbscissa, Doing, Plot};
 use super::strip::{axis_colour, colour, path_colour, strip, toolpaths};
 use super::{Sides, curve::Curve};
 use crate::font::Font;
@@ -103,7 +103,7 @@ fn abscissa(over: usize, unit: Unit) -> String {
 }
 
 /// Lowest and highest value of a chart, 0 among them.
-fn range(data: &Over, chart: usize) -> [f64; 2] {
+fn range(data: &CurvesOverAbscissa, chart: usize) -> [f64; 2] {
     let per_axis = data.axes.iter().map(|(_, curves)| &curves[chart]);
     let own: &[&Curve] = match (chart, data.axes.is_empty()) {
         (0, _) => &[&data.path[0], &data.programmed],
@@ -115,7 +115,7 @@ fn range(data: &Over, chart: usize) -> [f64; 2] {
     all.filter_map(Curve::range).fold([0.0, 0.0], |[low, high], [a, b]| [low.min(a), high.max(b)])
 }
 
-fn draw_curves(layer: &mut Layer, chart: &Chart, data: &Over, k: usize) {
+fn draw_curves(layer: &mut Layer, chart: &Chart, data: &CurvesOverAbscissa, k: usize) {
     let ink = path_colour();
     if k == 0 {
         chart.area(layer, &data.path[0], ink.mixed(PAPER, 0.88));

@@ -61,7 +61,7 @@ pub(super) struct Stretch {
 
 /// Curves over one abscissa.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Over {
+pub(super) struct CurvesOverAbscissa {
     pub programmed: Curve,
     pub path: [Curve; 3],
     pub total_accel: Curve,
@@ -77,7 +77,7 @@ pub struct Plot {
     pub note: String,
     /// The user's unit of length.
     pub unit: Unit,
-    pub(super) over: [Over; 2],
+    pub(super) over: [CurvesOverAbscissa; 2],
     pub(super) stretches: Vec<Stretch>,
     pub(super) lines: Vec<(Place, u32)>,
     pub(super) toolpaths: Vec<(Place, String)>,
@@ -89,7 +89,7 @@ impl Plot {
     /// A plot without motion, with curves of these axes beside that of the path.
     pub fn new(title: String, axes: &[Axis]) -> Self {
         let curves = || axes.iter().map(|axis| (*axis, Default::default())).collect();
-        let over = || Over { axes: curves(), ..Over::default() };
+        let over = || CurvesOverAbscissa { axes: curves(), ..CurvesOverAbscissa::default() };
         Self {
             title,
             note: String::new(),
@@ -143,7 +143,7 @@ impl Plot {
     }
 }
 
-impl Over {
+impl CurvesOverAbscissa {
     fn push(&mut self, x: f64, moment: &Moment) {
         self.programmed.push(x, moment.programmed);
         self.total_accel.push(x, moment.total_accel);

@@ -3,7 +3,7 @@
 use super::Happening;
 use crate::app::App;
 use crate::asker::Asker;
-use crate::gate::Way;
+use crate::gate::Demand;
 use crate::machine::Order;
 use crate::people::Grip;
 use crate::refusal::problem;
@@ -25,7 +25,7 @@ pub fn grant(
     tells: &Sender<Happening>,
 ) -> Result<(), Problem> {
     let who = &asker.who;
-    app.gate(who, Way::Console(&request))?;
+    app.gate(who, Demand::Console(&request))?;
     let act = match request {
         ConsoleRequest::Stop => Act::Stop,
         ConsoleRequest::Acknowledge => Act::Acknowledge,

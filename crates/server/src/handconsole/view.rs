@@ -1,7 +1,7 @@
 //! The machine and the open job as the console shows them.
 
 use crate::app::App;
-use crate::kind::kind_of;
+use crate::file_kind::kind_of;
 use crate::locks::lock;
 use crate::open::Open;
 use crate::work::with_job;

@@ -5,8 +5,8 @@ use super::rest::demand;
 use super::{Refused, aside, soon};
 use crate::app::App;
 use crate::digested::hash;
+use crate::file_kind;
 use crate::files::PartFolder;
-use crate::kind;
 use crate::refusal::problem;
 use crate::saving::{self, Leave};
 use axum::body::Bytes;
@@ -74,7 +74,7 @@ fn look(folder: &PartFolder, file: &mut FileInfo, mask: &str) {
     let name = file_name(&file.name);
     let gcode = kerf_sbp::is_gcode_name(name);
     file.part = gcode || parts::fits(mask, name);
-    file.opens = kind::opens(name, mask);
+    file.opens = file_kind::opens(name, mask);
     if file.part && !gcode {
         let head = folder.head(&file.name).unwrap_or_default();
         file.header = kerf_sbp::Header::read(&head).map(|header| header.text);
@@ -146,7 +146,7 @@ pub async fn read(
 async fn thumbnail(app: Arc<App>, name: String) -> Result<Response, Refused> {
     let (shop, of) = (app.clone(), name.clone());
     let kept = soon(move || Ok(shop.loader.thumbnails.kept(&shop.files.folder, &of))).await?;
-    let pictures = move || match kind::kind_of(&name) {
+    let pictures = move || match file_kind::kind_of(&name) {
         FileKind::Drawing => app.loader.thumbnails.of_drawing(&app.files.folder, &name),
         _ => app.loader.thumbnails.of(&app.files.folder, &name),
     };

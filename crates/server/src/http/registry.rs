@@ -5,7 +5,7 @@ use super::rest::who;
 use super::{Refused, soon};
 use crate::app::App;
 use crate::asker::Asker;
-use crate::gate::Way;
+use crate::gate::Demand;
 use crate::locks::lock;
 use crate::machine::Order;
 use crate::orders::Orders;
@@ -52,7 +52,7 @@ pub async fn set(
             let passed = pass_in(&app, &asker, value.trim());
             return passed.inspect_err(|why| log_refused(&app.orders, value.trim(), why));
         }
-        app.gate(&asker.who, Way::Value(key))?;
+        app.gate(&asker.who, Demand::Value(key))?;
         let journal =
             app.loader.journal().ok_or_else(|| problem(Why::State, "nothing is kept here"))?;
         let value = Some(value.trim_end()).filter(|value| !value.is_empty());

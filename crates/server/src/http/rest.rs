@@ -11,7 +11,7 @@ use crate::line_log;
 use crate::people::script;
 use crate::pool::Lane;
 use crate::refusal::problem;
-use crate::stop::{Halt, heard};
+use crate::stop::{StopPress, heard};
 use axum::body::to_bytes;
 use axum::extract::rejection::JsonRejection;
 use axum::extract::{FromRequest, Path, Query, Request, State};
@@ -62,7 +62,7 @@ pub async fn act(
     request: Request,
 ) -> Response {
     let who = who(&caller);
-    if let Some(halt) = Halt::named(&name) {
+    if let Some(halt) = StopPress::named(&name) {
         return halted(&app, &who, halt, request).await.into_response();
     }
     let asker = app.hears(&who);
@@ -89,8 +89,8 @@ async fn done(
 }
 
 /// Stops, whatever the body is; a jog is named in it, where that has come with the head.
-async fn halted(app: &Arc<App>, who: &Who, mut halt: Halt, request: Request) -> Json<Reply> {
-    if let Halt::JogStop { .. } = halt {
+async fn halted(app: &Arc<App>, who: &Who, mut halt: StopPress, request: Request) -> Json<Reply> {
+    if let StopPress::JogStop { .. } = halt {
         let body = tokio::time::timeout(WITH_THE_HEAD, to_bytes(request.into_body(), SHORT)).await;
         let body = body.ok().and_then(Result::ok).unwrap_or_default();
         halt = halt.with(&String::from_utf8_lossy(&body));

@@ -19,7 +19,7 @@ use crate::app::App;
 use crate::asker::Asker;
 use crate::hub::{Broadcast, text};
 use crate::lanes::Lanes;
-use crate::stop::{Halt, Presses, heard};
+use crate::stop::{Presses, StopPress, heard};
 use axum::Extension;
 use axum::extract::State;
 use axum::extract::ws::{CloseFrame, Message, WebSocket, WebSocketUpgrade, close_code};
@@ -143,7 +143,7 @@ impl Page {
 
     /// Does what a message that only stops asks for, before anything else; returns `true` if it was one.
     fn halts(&self, message: &[u8]) -> bool {
-        let Some(pressed) = Halt::read(message) else { return false };
+        let Some(pressed) = StopPress::read(message) else { return false };
         let reply =
             Owed::Reply(Reply { id: pressed.id, problem: None, notes: Vec::new(), clock_ms: None });
         if !self.presses.is_new(pressed.id) {

@@ -13,9 +13,9 @@ use kerf_wire::{Role, TextDraft, Why};
 use serde::Deserialize;
 use std::sync::Arc;
 
-/// Which file a draft is of.
+/// Query of a request that ends a draft.
 #[derive(Debug, Deserialize)]
-pub struct Of {
+pub struct DraftQuery {
     /// Its name below the part folder; empty for a new one.
     name: String,
     /// The page whose draft it is.
@@ -25,9 +25,9 @@ pub struct Of {
     revision: Option<String>,
 }
 
-/// Which drafts are listed, or the text that some were typed into.
+/// Query of a request for the drafts, or for the text that some were typed into.
 #[derive(Debug, Deserialize)]
-pub struct Look {
+pub struct DraftListQuery {
     /// The hash of a text that was typed into: asks for it, as it was then.
     base: Option<String>,
 }
@@ -35,7 +35,7 @@ pub struct Look {
 /// Every draft, the newest first; or the text that some of them were typed into.
 pub async fn list(
     State(app): State<Arc<App>>,
-    Query(Look { base }): Query<Look>,
+    Query(DraftListQuery { base }): Query<DraftListQuery>,
 ) -> Result<Response, Refused> {
     let look = move || match base {
         Some(hash) => app.texts.base(&hash).map(IntoResponse::into_response),
@@ -59,10 +59,10 @@ pub async fn keep(
 pub async fn end(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
-    of: Result<Query<Of>, QueryRejection>,
+    of: Result<Query<DraftQuery>, QueryRejection>,
 ) -> Result<Json<()>, Refused> {
     demand(&caller, Role::Operator)?;
-    let Query(Of { name, page, revision }) =
+    let Query(DraftQuery { name, page, revision }) =
         of.map_err(|error| problem(Why::Malformed, error.body_text()))?;
     Ok(Json(soon(move || app.texts.end(&name, &page, revision.as_deref())).await?))
 }

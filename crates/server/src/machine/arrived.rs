@@ -5,9 +5,9 @@ use tokio::sync::Notify;
 
 /// Number of stops that had come at a moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Stops(u64);
+pub struct StopCount(u64);
 
-impl Stops {
+impl StopCount {
     /// Returns the number of those that stop what runs; the others only keep from beginning what was asked for before.
     pub const fn halts(self) -> u64 {
         self.0 >> 32
@@ -25,22 +25,23 @@ pub struct Arrived {
     runs: AtomicBool,
     /// Disarms that have come and do not hold yet.
     disarms: AtomicU32,
-    told: Notify,
+    /// Wakes whoever waits until a stop is heard.
+    changed: Notify,
 }
 
 impl Arrived {
     /// Those so far.
-    pub fn stops(&self) -> Stops {
-        Stops(self.stops.load(Ordering::SeqCst))
+    pub fn stops(&self) -> StopCount {
+        StopCount(self.stops.load(Ordering::SeqCst))
     }
 
     /// One has come that stops what runs.
-    pub fn halt(&self) -> Stops {
-        Stops(self.stops.fetch_add(HALT, Ordering::SeqCst).wrapping_add(HALT))
+    pub fn halt(&self) -> StopCount {
+        StopCount(self.stops.fetch_add(HALT, Ordering::SeqCst).wrapping_add(HALT))
     }
 
     /// The machine is to be disarmed: until that holds nothing begins.
-    pub fn disarm(&self) -> Stops {
+    pub fn disarm(&self) -> StopCount {
         self.disarms.fetch_add(1, Ordering::SeqCst);
         self.halt()
     }
@@ -63,24 +64,24 @@ impl Arrived {
     /// The machine's thread has heard so many of those that stop what runs.
     pub fn hear(&self, halts: u64) {
         self.heard.store(halts, Ordering::SeqCst);
-        self.told.notify_waiters();
+        self.changed.notify_waiters();
     }
 
     /// Something runs from now on, or nothing any more: then nobody is waited for.
     pub fn runs(&self, runs: bool) {
         self.runs.store(runs, Ordering::SeqCst);
-        self.told.notify_waiters();
+        self.changed.notify_waiters();
     }
 
     /// Waits until the machine's thread has heard a stop. At once where nothing runs.
-    pub async fn heard(&self, stop: Stops) {
+    pub async fn heard(&self, stop: StopCount) {
         loop {
-            let told = self.told.notified();
+            let changed = self.changed.notified();
             let runs = self.runs.load(Ordering::SeqCst);
             if !runs || self.heard.load(Ordering::SeqCst) >= stop.halts() {
                 return;
             }
-            told.await;
+            changed.await;
         }
     }
 }

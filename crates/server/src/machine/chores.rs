@@ -1,10 +1,10 @@
 //! Chores of the machine's owner besides moving it: its files, recorder, switches, configuration.
 
-use super::arrived::Stops;
+use super::arrived::StopCount;
 use super::owner::Owner;
 use super::tool_length::{ZeroOfTool, zero_of_tool};
 use crate::configure::changes_through;
-use crate::gate::{self, Way};
+use crate::gate::{self, Demand};
 use crate::handconsole::Happening;
 use crate::locks::lock;
 use crate::setup::Workshop;
@@ -37,7 +37,7 @@ impl Owner {
         let taken = journal.registry.take_in().and_then(|()| command_passing::take(journal));
         let told = match taken {
             Ok(None) => return None,
-            Ok(Some(Ok(line))) => match self.may_run(Way::PassedIn, arrived) {
+            Ok(Some(Ok(line))) => match self.may_run(Demand::PassedIn, arrived) {
                 Ok(()) => {
                     let text = format!("{PASSED_IN}: {line}");
                     self.hub.say(Tone::Note, text);
@@ -98,9 +98,9 @@ impl Owner {
     }
 
     /// Carries out the start-up line. What a stop ends, or comes before, ends all of it.
-    pub(super) fn start_up(&mut self, lines: &[String], since: Stops) {
+    pub(super) fn start_up(&mut self, lines: &[String], since: StopCount) {
         for line in lines {
-            if let Err(why) = self.may_run(Way::StartUp, since) {
+            if let Err(why) = self.may_run(Demand::StartUp, since) {
                 let told = format!("{line} of the start-up line is not carried out: {why}");
                 self.log_refused(&told);
                 return self.hub.say(Tone::Warning, format!("{told}; start it here"));
@@ -111,10 +111,10 @@ impl Owner {
 
     /// The machine is busy from now on, where nobody at a page asked for it and it may move all the same; otherwise why
     /// not.
-    fn may_run(&self, way: Way<'_>, arrived: Stops) -> Result<(), String> {
+    fn may_run(&self, demand: Demand<'_>, arrived: StopCount) -> Result<(), String> {
         let mut may = Ok(());
         self.hub.changing(|now| {
-            may = gate::pass(now, &Who::default(), way).map(drop).map_err(|why| why.text);
+            may = gate::pass(now, &Who::default(), demand).map(drop).map_err(|why| why.text);
             if may.is_ok() && now.machine.state != State::Idle {
                 may = Err("the machine is busy".into());
             } else if may.is_ok() && !self.link.begin(Some(arrived), None) {

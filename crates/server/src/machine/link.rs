@@ -3,7 +3,7 @@
 //! Who holds the lock of the [`Hub`](crate::hub::Hub) may take that of the link, never the other way round. A stop takes
 //! neither: it is counted in [`Arrived`], and wakes the machine's thread.
 
-use super::arrived::{Arrived, Stops};
+use super::arrived::{Arrived, StopCount};
 use super::planned::Planned;
 use crate::clock::Clock;
 use crate::people::Grip;
@@ -15,7 +15,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::thread::{self, Thread};
 use std::time::Duration;
 
-/// Dead man's handle: a jog ends when its key was not known to be held for so long.
+/// Longest time without a sign of the held key before a jog ends.
 pub const DEAD_MAN: Duration = Duration::from_millis(250);
 
 /// Carries what pages want; whoever waits for it is woken.
@@ -39,7 +39,7 @@ pub struct Wanted {
     arrived: Arc<Arrived>,
     /// The clock by which a held key ends.
     clock: Clock,
-    /// Those of them that stop what runs and were heard.
+    /// Number of heard stops that end what runs.
     heard: u64,
     /// Stop, though nobody has pressed it: Kerf ends.
     ends: bool,
@@ -276,14 +276,14 @@ impl Link {
     }
 
     /// Stops what runs, and what was asked for and has not begun yet. Waits for nobody.
-    pub fn stop(&self) -> Stops {
+    pub fn stop(&self) -> StopCount {
         let stops = self.arrived.halt();
         self.wake();
         stops
     }
 
     /// Stops what runs; nothing begins before the machine is disarmed. Waits for nobody.
-    pub fn disarm(&self) -> Stops {
+    pub fn disarm(&self) -> StopCount {
         let stops = self.arrived.disarm();
         self.wake();
         stops
@@ -312,19 +312,23 @@ impl Link {
     }
 
     /// Returns the number of stops that have come.
-    pub fn stops(&self) -> Stops {
+    pub fn stops(&self) -> StopCount {
         self.arrived.stops()
     }
 
     /// Wants something, unless a stop has come since a moment.
-    pub fn want_since<T>(&self, since: Stops, change: impl FnOnce(&mut Wanted) -> T) -> Option<T> {
+    pub fn want_since<T>(
+        &self,
+        since: StopCount,
+        change: impl FnOnce(&mut Wanted) -> T,
+    ) -> Option<T> {
         let may = |wanted: &Wanted| wanted.arrived.stops() == since && !wanted.arrived.disarms();
         self.want(|wanted| may(wanted).then(|| change(wanted)))
     }
 
     /// A run begins, for as long as a key is held where it is a jog: what was wanted of the one before is forgotten,
     /// but for switches that it did not move any more. Not where a stop has come since the moment, if there is one.
-    pub fn begin(&self, since: Option<Stops>, jog: Option<Held>) -> bool {
+    pub fn begin(&self, since: Option<StopCount>, jog: Option<Held>) -> bool {
         let mut wanted = self.lock();
         let (leaves, stops) = (wanted.leaves, self.arrived.stops());
         let begins = since.is_none_or(|since| since == stops && !self.arrived.disarms());

@@ -24,7 +24,7 @@ mod tool_length;
 mod typing;
 mod zeros;
 
-pub use arrived::Stops;
+pub use arrived::StopCount;
 pub use last_state::LastState;
 pub use link::Link;
 pub use order::{CardOrder, Order};

@@ -1,6 +1,6 @@
 //! Orders to the thread that has the machine: what it carries out next.
 
-use super::arrived::Stops;
+use super::arrived::StopCount;
 use super::planned::Planned;
 use crate::handconsole::Happening;
 use kerf_journal::Work;
@@ -69,7 +69,7 @@ pub enum Order {
         /// The lines.
         lines: Vec<String>,
         /// Stops that had come when Kerf started.
-        since: Stops,
+        since: StopCount,
     },
     /// Move for as long as the link says.
     Jog {

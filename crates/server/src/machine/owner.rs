@@ -1,6 +1,6 @@
 //! The owner of the machine, on its thread.
 
-use super::arrived::Stops;
+use super::arrived::StopCount;
 use super::board::Board;
 use super::last_state::LastState;
 use super::link::Link;
@@ -65,7 +65,7 @@ pub struct Owner {
     /// Runs so far.
     pub run: u32,
     /// Stops that had come when it was looked last for a command that was passed in.
-    pub looked: Option<Stops>,
+    pub looked: Option<StopCount>,
     /// The reason for which the controller takes no orders, as it was told last.
     pub locked: Option<String>,
     /// What the controller waits for while nothing runs, as it was told last.

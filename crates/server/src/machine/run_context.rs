@@ -495,7 +495,7 @@ impl Sink for Teller {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::bench::{self, Bench};
+    use crate::testing::{self, Bench};
     use kerf_wire::{Act, ByHand};
 
     /// Waits for something of a machine that runs.
@@ -510,7 +510,7 @@ mod tests {
 
     #[test]
     fn a_computer_that_sleeps_in_the_middle_of_a_move_stops_the_machine() {
-        let (bench, _machine) = bench::moving();
+        let (bench, _machine) = testing::moving();
         let act = Act::Command { lease: bench.lease(), line: "MS,1,1\nMX,50".into() };
         bench.does(&bench.driver, act);
         until(&bench, "some way", |now| now.motion.at.machine[0] > 1.0);
@@ -529,7 +529,7 @@ mod tests {
     /// STOP, and Hold while the machine slows down for it.
     #[test]
     fn a_machine_that_slows_down_is_not_said_to_stand() {
-        let (bench, _machine) = bench::moving();
+        let (bench, _machine) = testing::moving();
         let mut place = [None; 6];
         place[0] = Some(1000.0);
         let way = ByHand::Place { place, relative: true, flat: false };

@@ -7,7 +7,7 @@ use kerf_model::Change;
 use kerf_preview::timing::{Course, Track};
 use kerf_program::rounded;
 use kerf_sbp::{FileParameters, Status};
-use kerf_trace::{Summary, timing::Lines};
+use kerf_trace::{Summary, switching::Lines};
 use kerf_wire::preview::{TIMING_POINTS, Timing, TimingKind, TimingLine};
 use kerf_workspace::Workspace;
 use std::sync::Arc;

@@ -1,7 +1,7 @@
 //! Recognises what only stops, in whatever form it comes.
 
 use crate::app::App;
-use crate::machine::Stops;
+use crate::machine::StopCount;
 use kerf_wire::Act;
 use std::str::FromStr;
 use std::sync::Arc;
@@ -15,7 +15,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 
 /// A request that only stops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Halt {
+pub enum StopPress {
     /// Ramps down, lifts, asks.
     Stop,
     /// Ramps down and stands.
@@ -35,12 +35,12 @@ pub enum Halt {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pressed {
     /// The request itself.
-    pub halt: Halt,
+    pub halt: StopPress,
     /// Number of the request; 0 where it has none that a page could have counted.
     pub id: u32,
 }
 
-impl Halt {
+impl StopPress {
     /// Returns the halt that a word names.
     pub fn named(word: &str) -> Option<Self> {
         let is = |name: &str| word.eq_ignore_ascii_case(name);
@@ -90,7 +90,7 @@ impl Halt {
     }
 
     /// Does what waits for nobody: from here on nothing begins, and what runs is told to end.
-    pub fn press(self, app: &App, client: u32) -> Stops {
+    pub fn press(self, app: &App, client: u32) -> StopCount {
         match self {
             Self::Stop => return app.link.stop(),
             Self::Disarm => return app.link.disarm(),
@@ -109,7 +109,7 @@ impl Halt {
 }
 
 /// Waits until the machine's thread has heard a stop, for a second at most.
-pub async fn heard(app: &Arc<App>, stop: Stops) {
+pub async fn heard(app: &Arc<App>, stop: StopCount) {
     // Who waits longer is told that it has come, which is true as well.
     drop(tokio::time::timeout(PATIENCE, app.link.arrived().heard(stop)).await);
 }
@@ -137,14 +137,14 @@ mod tests {
     use super::*;
 
     #[track_caller]
-    fn check(message: &str, expected: Option<(Halt, u32)>) {
-        let read = Halt::read(message.as_bytes()).map(|Pressed { halt, id }| (halt, id));
+    fn check(message: &str, expected: Option<(StopPress, u32)>) {
+        let read = StopPress::read(message.as_bytes()).map(|Pressed { halt, id }| (halt, id));
         assert_eq!(read, expected, "{message}");
     }
 
     #[test]
     fn stop_is_recognised_in_whatever_form_it_comes() {
-        let stop = |id| Some((Halt::Stop, id));
+        let stop = |id| Some((StopPress::Stop, id));
         check(r#"{"id":7,"act":{"do":"stop"}}"#, stop(7));
         check(r#"{"act":{"do":"stop"}}"#, stop(0));
         check(r#"{"id":-1,"act":{"do":"stop"}}"#, stop(0));
@@ -155,9 +155,9 @@ mod tests {
         check(r#"{"id":3,"act":{"do":"STOP""#, stop(3));
         check("STOP", stop(0));
         check(" \"stop\"\r\n", stop(0));
-        check(r#"{"id":1,"act":{"do":"hold"}}"#, Some((Halt::Hold, 1)));
-        check(r#"{"id":1,"act":{"do":"disarm"}}"#, Some((Halt::Disarm, 1)));
-        let jog = |seq, client| Some((Halt::JogStop { seq, client }, 2));
+        check(r#"{"id":1,"act":{"do":"hold"}}"#, Some((StopPress::Hold, 1)));
+        check(r#"{"id":1,"act":{"do":"disarm"}}"#, Some((StopPress::Disarm, 1)));
+        let jog = |seq, client| Some((StopPress::JogStop { seq, client }, 2));
         check(r#"{"id":2,"act":{"do":"jogStop","seq":9}}"#, jog(Some(9), None));
         check(r#"{"id":2,"act":{"do":"jogStop"},"client":4}"#, jog(None, Some(4)));
     }
@@ -170,7 +170,7 @@ mod tests {
         check(r#"{"id":1,"act":{"do":"answer","answer":"stop","question":1}}"#, None);
         check("", None);
         check("null", None);
-        assert_eq!(Halt::read(&[0xff, 0xfe]), None);
+        assert_eq!(StopPress::read(&[0xff, 0xfe]), None);
     }
 
     #[test]
@@ -184,8 +184,12 @@ mod tests {
         let acts = [Act::Stop, Act::Hold, Act::Disarm, Act::JogStop { seq: 3 }];
         for act in acts {
             let text = serde_json::to_string(&act).unwrap();
-            assert_eq!(Halt::read(text.as_bytes()).map(|it| it.halt), Halt::of(&act), "{text}");
+            assert_eq!(
+                StopPress::read(text.as_bytes()).map(|it| it.halt),
+                StopPress::of(&act),
+                "{text}"
+            );
         }
-        assert_eq!(Halt::of(&Act::Ping), None);
+        assert_eq!(StopPress::of(&Act::Ping), None);
     }
 }

@@ -5,7 +5,7 @@
 //!         └─ /stop, a port of its own ──► a thread that does nothing else ──► Link ──► machine's thread
 //! ```
 //!
-//! - [`Halt`] recognises what only stops, in whatever form it comes, before anything is parsed.
+//! - [`StopPress`] recognises what only stops, in whatever form it comes, before anything is parsed.
 //! - [`StopWay`] is a listener with a thread of its own, which waits for nobody.
 //! - A page presses STOP on both ways: [`Presses`] sees to it that one press counts once.
 
@@ -13,6 +13,6 @@ mod halt;
 mod presses;
 mod way;
 
-pub use halt::{Halt, heard};
+pub use halt::{StopPress, heard};
 pub use presses::Presses;
 pub use way::{Door, StopWay};

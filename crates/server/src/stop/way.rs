@@ -1,6 +1,6 @@
 //! STOP's own way: a listener and a thread that do nothing else, and wait for nobody.
 
-use super::halt::{Halt, Pressed, heard};
+use super::halt::{Pressed, StopPress, heard};
 use super::presses::Presses;
 use crate::app::App;
 use crate::http::{Allowance, Caller, DoorSlot, guard_of_stop, serve};
@@ -143,7 +143,7 @@ async fn act(
     Path(name): Path<String>,
     Query(Opens { client }): Query<Opens>,
 ) -> Response {
-    match Halt::named(&name) {
+    match StopPress::named(&name) {
         Some(halt) => Json(way.press(Pressed { halt, id: 0 }, client).await).into_response(),
         None => (StatusCode::NOT_FOUND, NOTHING_ELSE).into_response(),
     }
@@ -215,7 +215,7 @@ impl Page {
             Message::Binary(bytes) => bytes,
             _ => return,
         };
-        let Some(pressed) = Halt::read(bytes) else {
+        let Some(pressed) = StopPress::read(bytes) else {
             let problem = Some(problem(Why::Malformed, NOTHING_ELSE));
             return drop(tell.try_send(Reply {
                 id: 0,

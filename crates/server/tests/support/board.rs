@@ -1,4 +1,4 @@
-//! A server whose machine is a board with step queues that is none.
+//! A server whose machine is a fake board with step queues.
 
 use super::{Shop, Wanted, start};
 use kerf_control::controller::{Controller, First, Place, queued};

@@ -92,7 +92,7 @@ pub struct Wanted {
     pub start: Option<kerf_server::StartUp>,
     /// The start-up line.
     pub begin_with: Vec<&'static str>,
-    /// The controller that the machine hangs on, which is none.
+    /// The fake controller that the machine hangs on.
     pub controller: Option<Arc<Mutex<Fake>>>,
 }
 

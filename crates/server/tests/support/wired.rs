@@ -1,4 +1,4 @@
-//! A machine that hangs on a controller that is none, which moves in the time of the world.
+//! A machine that hangs on a fake controller, which moves in the time of the world.
 
 use kerf_control::controller::{Controller, Ends, First, Place, Socket};
 use kerf_driver_grbl::Grbl;

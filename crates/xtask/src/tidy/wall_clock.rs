@@ -12,7 +12,7 @@ const SHOWN_BY: [&str; 5] = [
     "crates/files/src/leftovers.rs",
     "crates/kerf/src/clock.rs",
     "crates/kerf/src/date.rs",
-    "crates/server/src/ran.rs",
+    "crates/server/src/last_runs.rs",
 ];
 
 /// Other places that read it.
@@ -45,7 +45,7 @@ mod tests {
         let deadline = "fn late() -> bool {\n    SystemTime::now() > self.until\n}\n";
         let check = |path: &str| check(&Tree::of(&[(path, deadline)])).len();
         assert_eq!(check("crates/server/src/turn.rs"), 1);
-        assert_eq!(check("crates/server/src/ran.rs"), 0);
+        assert_eq!(check("crates/server/src/last_runs.rs"), 0);
         assert_eq!(check("crates/server/tests/turn.rs"), 0);
     }
 }

@@ -6,7 +6,7 @@ use crate::controller::connection::NAP;
 use crate::controller::lacks::out_of_reach;
 use kerf_driver_klipper::mailbox::Request;
 use kerf_machine::driver::Facts;
-use kerf_machine::{Actuator, Carried, Fault, Going, Machine, News};
+use kerf_machine::{Actuator, Fault, Going, LiftOfMove, Machine, News};
 use kerf_motion::{Move, Plan, Span};
 use kerf_program::{Axes, Axis, Beam, HeightLaw, Settings};
 use std::sync::Arc;
@@ -102,7 +102,7 @@ impl Machine for Queued {
         let wait = if hands && self.hand_on() { Duration::ZERO } else { NAP };
         if self.probe.is_armed() && self.feeder.rests {
             // Whether an input stopped it is known when its motion is over.
-            self.berth.request(Request::LetRest);
+            self.port.request(Request::LetRest);
         }
         self.tend(wait);
         if let Some(news) = self.touched(from_s, end_s) {
@@ -132,9 +132,9 @@ impl Machine for Queued {
         News { reached_s, input: self.inputs.pop_front() }
     }
 
-    fn made(&mut self, t0_s: f64, _: &Plan, span: &Span<'_>) -> Carried {
+    fn made(&mut self, t0_s: f64, _: &Plan, span: &Span<'_>) -> LiftOfMove {
         let height = self.feeder.height.as_mut();
-        height.map_or_else(Carried::default, |it| it.made([t0_s + span.t0_s, t0_s + span.t1_s]))
+        height.map_or_else(LiftOfMove::default, |it| it.made([t0_s + span.t0_s, t0_s + span.t1_s]))
     }
 
     fn height_control(&mut self, law: Option<HeightLaw>, _: &Axes) -> Vec<(u8, bool)> {
@@ -189,7 +189,7 @@ impl Machine for Queued {
 
     fn halt(&mut self) {
         self.drop_all();
-        self.berth.request(Request::LetRest);
+        self.port.request(Request::LetRest);
         if !self.wait_until(|it| it.state == State::Rest) {
             self.fail(
                 "it does not say that it has stopped".into(),

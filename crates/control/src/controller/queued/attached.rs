@@ -58,9 +58,9 @@ impl Socket {
         let (deadline_s, error_s) = (machine.board.deadline_s, 1e-6 * machine.board.error_us);
         let options = Options { deadline_s, error_s, clears, ..Options::default() };
         let opened = Threaded::open(&wiring.setup, options, boards);
-        let Greeted { berth, version, counts, priority } = opened.map_err(named)?;
+        let Greeted { port, version, counts, priority } = opened.map_err(named)?;
         let parts = (wiring, machine.program.resolution.steps_per_unit);
-        let mut queued = Queued::new(&self.name, &version, parts, counts, Box::new(berth));
+        let mut queued = Queued::new(&self.name, &version, parts, counts, Box::new(port));
         queued.priority = priority;
         Ok(queued)
     }

@@ -1,7 +1,7 @@
 //! Motor drivers of a machine's file as those of a setup.
 
 use super::pins::Pins;
-use kerf_driver_klipper::setup::{Driver, DriverSelect, DriverWire, Pin, Setup, Way};
+use kerf_driver_klipper::setup::{Driver, DriverSelect, DriverWire, Pin, RegisterLink, Setup};
 use kerf_driver_klipper::tmc::{Chip, Tuning};
 use kerf_machine::Configuration;
 use kerf_machine::settings::motors::Motor;
@@ -74,7 +74,7 @@ fn wire(
     key: &str,
     [rx, tx]: [&str; 2],
     address: u8,
-) -> Result<Way, String> {
+) -> Result<RegisterLink, String> {
     if address > 3 {
         return Err(format!("{key}: a driver has an address from 0 to 3, not {address}"));
     }
@@ -85,12 +85,12 @@ fn wire(
         setup.drivers.push(wire.clone());
         setup.drivers.len() - 1
     });
-    let is_taken = setup.tuned.iter().find(|it| it.way == Way::Wire { wire, address });
+    let is_taken = setup.tuned.iter().find(|it| it.way == RegisterLink::Wire { wire, address });
     match is_taken {
         Some(other) => {
             Err(format!("{key}: motor {} has address {address} on that wire already", other.name))
         }
-        None => Ok(Way::Wire { wire, address }),
+        None => Ok(RegisterLink::Wire { wire, address }),
     }
 }
 
@@ -100,7 +100,7 @@ fn select(
     pins: &Pins,
     machine: &Configuration,
     (key, cs): (&str, &str),
-) -> Result<Way, String> {
+) -> Result<RegisterLink, String> {
     let words: Vec<&str> = machine.drivers.spi.split_whitespace().collect();
     let Ok([miso, mosi, sck]) = <[&str; 3]>::try_from(words) else {
         return Err("drivers.spi: name MISO, MOSI and SCK: \"PA6 PA7 PA5\"".into());
@@ -108,7 +108,7 @@ fn select(
     let pin = |name: &str| pins.pin("drivers.spi", name);
     let bus: [Pin; 3] = [pin(miso)?, pin(mosi)?, pin(sck)?];
     setup.selects.push(DriverSelect { cs: pins.pin(key, cs)?, bus });
-    Ok(Way::Select(setup.selects.len() - 1))
+    Ok(RegisterLink::Select(setup.selects.len() - 1))
 }
 
 #[cfg(test)]

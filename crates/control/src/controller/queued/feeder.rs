@@ -204,7 +204,7 @@ impl Feeder {
         span_s: [f64; 2],
         scale: &Scale,
         [starts, ends, at_rest]: [u64; 3],
-        ways: &[(f64, Way)],
+        ways: &[(f64, RestPart)],
     ) -> [Vec<Set>; 2] {
         let (Some(follow), Some(front)) = (&mut self.follow, self.followed.front()) else {
             return Default::default();
@@ -229,17 +229,20 @@ impl Feeder {
 
     /// The ways to rest from a moment on, one behind the other: as planned to the end of what cannot brake in time, then
     /// braking in what follows. Nothing where what is known ends before.
-    fn rests_from(&self, from_s: f64) -> Option<Vec<(f64, Way)>> {
+    fn rests_from(&self, from_s: f64) -> Option<Vec<(f64, RestPart)>> {
         let (mut ways, mut from_s) = (Vec::new(), from_s);
         for followed in &self.followed {
             let t0_s = followed.t0_s;
             let rest = followed.leg.rest(from_s - t0_s)?;
             if rest.stands {
-                ways.push((t0_s, Way::Brakes(from_s - t0_s, Box::new(rest))));
+                ways.push((t0_s, RestPart::Brakes(from_s - t0_s, Box::new(rest))));
                 return Some(ways);
             }
             let [_, end_s] = followed.span_s();
-            ways.push((t0_s, Way::Planned(followed.leg.clone(), [from_s - t0_s, end_s - t0_s])));
+            ways.push((
+                t0_s,
+                RestPart::Planned(followed.leg.clone(), [from_s - t0_s, end_s - t0_s]),
+            ));
             from_s = end_s;
         }
         // Where nothing can brake before its end, the machine stands there as planned.
@@ -247,7 +250,12 @@ impl Feeder {
     }
 
     /// Steps of the ways to rest, and the clock at which the machine stands.
-    fn tail(&mut self, ways: &[(f64, Way)], scale: &Scale, ends: u64) -> (Vec<Vec<Step>>, u64) {
+    fn tail(
+        &mut self,
+        ways: &[(f64, RestPart)],
+        scale: &Scale,
+        ends: u64,
+    ) -> (Vec<Vec<Step>>, u64) {
         let mut stepper = self.stepper.clone();
         let mut all = vec![Vec::new(); self.motors.len()];
         let mut at_rest = ends;
@@ -255,7 +263,7 @@ impl Feeder {
         let carries = self.height.as_mut().filter(|_| self.only.is_none());
         let lift = carries.zip(begin_s).map(|(height, from_s)| height.coast(from_s));
         // Where Z takes longer to come to rest than the path, it does so at the end of it.
-        let alone = lift.as_ref().and_then(|lift| Way::alone(lift, ways.last()?));
+        let alone = lift.as_ref().and_then(|lift| RestPart::alone(lift, ways.last()?));
         for (t0_s, way) in ways.iter().chain(&alone) {
             let (made, end_s) = way.steps(&mut stepper, *t0_s, lift.as_ref());
             at_rest = at_rest.max(scale.at(t0_s + end_s).ceil() as u64);
@@ -288,7 +296,7 @@ impl Feeder {
 }
 
 /// A part of the way to rest.
-enum Way {
+enum RestPart {
     /// As it is planned, between times of the plan.
     Planned(Leg, [f64; 2]),
     /// Braking, from a time of the plan on.
@@ -297,7 +305,7 @@ enum Way {
     Stands(Axes, [f64; 2]),
 }
 
-impl Way {
+impl RestPart {
     /// The times of the plan at which it begins and ends.
     const fn span_s(&self) -> [f64; 2] {
         match self {

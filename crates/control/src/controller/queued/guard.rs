@@ -47,7 +47,7 @@ impl Queued {
     pub(super) fn learn_inputs(&mut self) {
         self.asked = self.wiring.inputs.iter().map(|it| (it.switch, None)).collect();
         let switches = self.asked.iter().map(|(switch, _)| Request::Switch(*switch));
-        switches.for_each(|request| self.berth.request(request));
+        switches.for_each(|request| self.port.request(request));
         self.wait_until(|it| it.asked.iter().all(|(_, told)| told.is_some()));
         let asked = std::mem::take(&mut self.asked);
         for (bit, (input, (_, told))) in self.wiring.inputs.iter().zip(asked).enumerate() {

@@ -18,7 +18,7 @@ use kerf_machine::height_follower::{
     Follower, SILENCE_S, TICK_S, goes_down, is_above_band, listens_in,
 };
 use kerf_machine::lines::Input;
-use kerf_machine::{Carried, Lift, Reading};
+use kerf_machine::{Lift, LiftOfMove, Reading};
 use kerf_motion::{Leg, Move};
 use kerf_program::{Axis, HeightLaw};
 use std::collections::VecDeque;
@@ -69,7 +69,7 @@ pub struct Height {
     follower: Follower,
     /// Stretches that were handed over, in order of time.
     ticks: VecDeque<Tick>,
-    /// What follows on the way to rest behind it.
+    /// Stretches of the way to rest, behind `ticks`.
     tail: Vec<Tick>,
     readings: Vec<Reading>,
     /// The moment of the last reading, seconds of machine time.
@@ -301,7 +301,7 @@ impl Height {
     }
 
     /// The way of Z beside the plan between two moments, with the readings up to then.
-    pub fn made(&mut self, [begin_s, end_s]: [f64; 2]) -> Carried {
+    pub fn made(&mut self, [begin_s, end_s]: [f64; 2]) -> LiftOfMove {
         let mut lift = Lift::still(self.offset_at(begin_s));
         lift.carry(begin_s, self.offset_at(begin_s));
         let within = |tick: &&Tick| tick.span_s[1] > begin_s && tick.span_s[0] < end_s;
@@ -315,7 +315,7 @@ impl Height {
         }
         let (readings, later) = self.readings.iter().partition(|reading| reading.t_s <= end_s);
         self.readings = later;
-        Carried { lift, readings }
+        LiftOfMove { lift, readings }
     }
 }
 

@@ -1,6 +1,6 @@
 //! A board with step queues as a machine that a run drives.
 
-use super::berth::Berth;
+use super::board_port::BoardPort;
 use super::facts;
 use super::feeder::{Feeder, Scale};
 use super::height::{EVERY_S, Height, Sensor};
@@ -11,7 +11,7 @@ use super::steering::{self, Steering};
 use super::touch::Probe;
 use super::wiring::Wiring;
 use crate::controller::connection::NAP;
-use kerf_driver_klipper::board::{Ended, Home, News as Told, Start};
+use kerf_driver_klipper::board::{Ended, Home, News as BoardNews, Start};
 use kerf_driver_klipper::mailbox::{Answer, Progress, Request, Set};
 use kerf_driver_klipper::tmc::Trouble;
 use kerf_machine::driver::Facts;
@@ -50,7 +50,7 @@ pub struct Queued {
     pub(super) facts: Facts,
     pub(super) wiring: Wiring,
     pub(super) per_unit: Axes,
-    pub(super) berth: Box<dyn Berth>,
+    pub(super) port: Box<dyn BoardPort>,
     pub(super) progress: Progress,
     pub(super) feeder: Feeder,
     pub(super) state: State,
@@ -109,7 +109,7 @@ impl Queued {
         version: &str,
         (wiring, per_unit): (Wiring, Axes),
         counts: Vec<i64>,
-        berth: Box<dyn Berth>,
+        port: Box<dyn BoardPort>,
     ) -> Self {
         let motors: Vec<Axis> = wiring.motors.iter().map(|motor| motor.axis).collect();
         let mut queued = Self {
@@ -118,7 +118,7 @@ impl Queued {
             feeder: Feeder::new(motors, per_unit),
             wiring,
             per_unit,
-            berth,
+            port,
             progress: Progress::default(),
             state: State::Rest,
             outputs: Outputs::default(),
@@ -149,7 +149,7 @@ impl Queued {
         queued.count_anew();
         queued.learn_inputs();
         for enable in &queued.wiring.enables {
-            queued.berth.request(Request::Output { output: *enable, share: 1.0 });
+            queued.port.request(Request::Output { output: *enable, share: 1.0 });
         }
         queued
     }
@@ -225,7 +225,7 @@ impl Queued {
 
     /// Closes its port: whoever opens it anew has another board.
     pub fn let_go(&mut self) {
-        self.berth = Box::new(Gone);
+        self.port = Box::new(Gone);
         self.fail("its port is closed".into(), "", true);
     }
 
@@ -247,7 +247,7 @@ impl Queued {
 
     /// Looks what became of requests, waiting for a moment at most.
     pub(super) fn tend(&mut self, wait: Duration) {
-        let (progress, answers) = self.berth.look(wait);
+        let (progress, answers) = self.port.look(wait);
         let gap_s = progress.at_s - self.progress.at_s;
         self.lead.looked(gap_s, wait.as_secs_f64(), self.state != State::Rest);
         self.progress = progress;
@@ -259,7 +259,7 @@ impl Queued {
                     self.state = State::Moving(scale, clock);
                 }
                 Answer::Refused(why) => self.fail(why, "nothing moves any more", false),
-                Answer::News(told) => self.told(told),
+                Answer::News(news) => self.hear(news),
             }
         }
         let now_s = match (self.state, self.progress.clock) {
@@ -286,7 +286,7 @@ impl Queued {
         if let Some(voltage) = self.wiring.height.filter(|_| self.sensor.measures != measures) {
             self.sensor = Sensor::new(measures);
             let every_s = measures.then_some(EVERY_S);
-            self.berth.request(Request::Measure { voltage, every_s });
+            self.port.request(Request::Measure { voltage, every_s });
         }
     }
 
@@ -315,13 +315,13 @@ impl Queued {
         contacts.into_iter().collect()
     }
 
-    fn told(&mut self, told: Told) {
-        match told {
-            Told::Ended { why, counts } => {
+    fn hear(&mut self, news: BoardNews) {
+        match news {
+            BoardNews::Ended { why, counts } => {
                 self.counts = counts;
                 self.ended(why);
             }
-            Told::Buttons(states) => {
+            BoardNews::Buttons(states) => {
                 let changed = self.pressed ^ states;
                 let numbers = self.wiring.inputs.iter().enumerate();
                 let moved = numbers.filter(|(bit, _)| changed & (1 << bit) != 0);
@@ -334,38 +334,40 @@ impl Queued {
                     }
                 }
             }
-            Told::Shutdown(reason) => {
+            BoardNews::Shutdown(reason) => {
                 let why = format!("the board has shut down: {reason}");
                 let hint = "its motors stand and its outputs are off; look why, then connect again";
                 self.fail(why, hint, false);
-                self.berth.request(Request::Recover);
+                self.port.request(Request::Recover);
             }
-            Told::Fault(fault) => {
+            BoardNews::Fault(fault) => {
                 self.fail(
                     fault.to_string(),
                     "its place may be lost: home it first",
                     fault.is_silent(),
                 );
             }
-            Told::Touched { switch, clock, counts } => self.edges.push((switch, clock, counts)),
-            Told::Switch { switch, on } => self.switch_told(switch, on),
-            Told::Ready { .. } => {}
-            Told::Driver(Trouble { name, drives: true, words }) => {
+            BoardNews::Touched { switch, clock, counts } => {
+                self.edges.push((switch, clock, counts))
+            }
+            BoardNews::Switch { switch, on } => self.switch_told(switch, on),
+            BoardNews::Ready { .. } => {}
+            BoardNews::Driver(Trouble { name, drives: true, words }) => {
                 self.told_drivers =
                     Some(format!("{}: the driver of motor {name}: {words}", self.name));
             }
-            Told::Driver(Trouble { name, words, .. }) => {
+            BoardNews::Driver(Trouble { name, words, .. }) => {
                 let hint = "its place may be lost: home it first";
                 self.fail(format!("the driver of motor {name}: {words}"), hint, false);
             }
-            Told::Voltage { all, .. } => {
+            BoardNews::Voltage { all, .. } => {
                 let scale = match self.state {
                     State::Moving(scale, _) => Some(scale),
                     _ => None,
                 };
                 self.sensor.measured(&all, scale, self.feeder.height.as_mut());
             }
-            Told::Register { .. } => {}
+            BoardNews::Register { .. } => {}
         }
     }
 
@@ -382,7 +384,7 @@ impl Queued {
             // An input leaves outputs as they are, but nothing burns where it stands.
             let off = self.outputs.rests(&self.wiring);
             off.into_iter()
-                .for_each(|(output, share)| self.berth.request(Request::Output { output, share }));
+                .for_each(|(output, share)| self.port.request(Request::Output { output, share }));
         }
         if why == Ended::Touched && self.is_touched(&edges) {
             self.state = State::Rest;
@@ -438,7 +440,7 @@ impl Queued {
         (self.homing, self.came) = (None, None);
         self.homes.clear();
         self.feeder.only = None;
-        self.berth.request(Request::Stop);
+        self.port.request(Request::Stop);
         self.switch_off();
         self.feeder.forget();
     }
@@ -446,7 +448,7 @@ impl Queued {
     pub(super) fn switch_off(&mut self) {
         self.changes.clear();
         for (output, share) in self.outputs.off(&self.wiring) {
-            self.berth.request(Request::Output { output, share });
+            self.port.request(Request::Output { output, share });
         }
     }
 
@@ -455,7 +457,7 @@ impl Queued {
         let before = self.feeder.handed_s;
         match self.state {
             State::Rest if self.feeder.begins_s().is_some() && self.progress.rests => {
-                self.berth.request(Request::Start(std::mem::take(&mut self.homes)));
+                self.port.request(Request::Start(std::mem::take(&mut self.homes)));
                 self.state = State::Starting;
             }
             State::Moving(..) => while self.hand_over().is_some() {},
@@ -483,7 +485,7 @@ impl Queued {
         let set = |(output, share)| Set { output, share, clock };
         let sets = self.changes.drain(..).map(set).chain(followed).collect();
         self.state = State::Moving(scale, piece.ends);
-        self.berth.request(Request::Offer(piece, [sets, behind]));
+        self.port.request(Request::Offer(piece, [sets, behind]));
         Some(())
     }
 
@@ -515,7 +517,7 @@ impl Queued {
     /// Switches what waits for the next move, which does not come.
     pub(super) fn switch_now(&mut self) {
         for (output, share) in std::mem::take(&mut self.changes) {
-            self.berth.request(Request::Output { output, share });
+            self.port.request(Request::Output { output, share });
         }
     }
 
@@ -537,7 +539,7 @@ impl Queued {
         if !well || self.fault.is_some() || !self.is_made() {
             self.drop_all();
         }
-        self.berth.request(Request::LetRest);
+        self.port.request(Request::LetRest);
         self.wait_until(|it| it.state == State::Rest);
         self.measures(false);
         (self.sensor, self.feeder.height) = (Sensor::default(), None);
@@ -547,7 +549,7 @@ impl Queued {
     /// Has the board look at its motor drivers; what is wrong with them is told when it is known.
     pub(super) fn check_drivers(&mut self) {
         if !self.wiring.setup.tuned.is_empty() {
-            self.berth.request(Request::CheckDrivers);
+            self.port.request(Request::CheckDrivers);
         }
     }
 }
@@ -562,7 +564,7 @@ impl Drop for Queued {
 /// A board that somebody else has.
 struct Gone;
 
-impl Berth for Gone {
+impl BoardPort for Gone {
     fn request(&mut self, _: Request) {}
 
     fn look(&mut self, _: Duration) -> (Progress, Vec<Answer>) {

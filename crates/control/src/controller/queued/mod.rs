@@ -1,7 +1,7 @@
 //! Boards with step queues as machines: the plan is made to the step, by whoever planned it.
 //!
 //! ```text
-//!  Runner ── advance(move …) ─► Queued ── Feeder: pieces with their tails ─► Berth ─► Mailbox: Board ── bytes ──► board
+//!  Runner ── advance(move …) ─► Queued ── Feeder: pieces with their tails ─► BoardPort ─► Mailbox: Board ── bytes ──► board
 //!  World  ── set(output) ─────►   │                                            │ (a thread of its own)
 //!     ▲                           │                                            │
 //!     └── reached, inputs, fault ─┴──◄── Progress, Answers ────────────────────┘
@@ -12,8 +12,9 @@
 
 mod as_machine;
 mod attached;
+mod axis_move;
 mod beam;
-mod berth;
+mod board_port;
 mod drivers;
 mod facts;
 mod feeder;
@@ -30,17 +31,16 @@ mod run_lead;
 mod steering;
 mod thread;
 mod touch;
-mod way;
 mod wiring;
 pub mod wizard;
 
 pub use attached::{Attached, Socket};
-pub use berth::Berth;
+pub use axis_move::AxisMove;
+pub use board_port::BoardPort;
 pub use introduced::{at_ports, introduced};
 pub use kerf_driver_klipper::board::{Held, Introduced};
 pub use machine::Queued;
 pub use others::{address, read as others};
 pub use priority::raise as raise_priority;
 pub use thread::OpensLine;
-pub use way::Way;
 pub use wiring::Wiring;

@@ -7,7 +7,7 @@
 //!
 //! It ends with whoever has made it: motion is stopped first.
 
-use super::berth::Berth;
+use super::board_port::BoardPort;
 use super::priority;
 use kerf_driver_klipper::board::{Fault, News, Options};
 use kerf_driver_klipper::crew::Crew;
@@ -46,7 +46,7 @@ pub struct Threaded {
 /// A board that has told who it is: the version of its program, and the counts of its motors.
 pub struct Greeted {
     /// The board.
-    pub berth: Threaded,
+    pub port: Threaded,
     /// Version of the program in it.
     pub version: String,
     /// Steps of its motors.
@@ -98,7 +98,7 @@ impl Threaded {
             // A board that is silent is given up by whoever speaks with it.
             match self.answers.recv() {
                 Ok(Answer::News(News::Ready { version, counts })) => {
-                    return Ok(Greeted { berth: self, version, counts, priority: None });
+                    return Ok(Greeted { port: self, version, counts, priority: None });
                 }
                 Ok(Answer::News(News::Fault(fault))) => return Err(fault.to_string()),
                 Ok(Answer::Refused(why)) => return Err(why),
@@ -109,7 +109,7 @@ impl Threaded {
     }
 }
 
-impl Berth for Threaded {
+impl BoardPort for Threaded {
     fn request(&mut self, request: Request) {
         if let Some(requests) = &self.requests {
             // A thread that is over has told why.

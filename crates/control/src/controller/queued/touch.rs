@@ -64,7 +64,7 @@ impl Queued {
             let mut homing = Homing::new(self.wiring.homes.clone());
             let act = homing.begin();
             self.homing = Some(homing);
-            self.berth.request(Request::LetRest);
+            self.port.request(Request::LetRest);
             self.wait_until(|it| it.state == State::Rest);
             self.act(act);
         }
@@ -74,7 +74,7 @@ impl Queued {
     pub(super) fn homes_on(&mut self) -> bool {
         let wait = if self.hand_on() { Duration::ZERO } else { NAP };
         if self.feeder.rests && matches!(self.state, State::Moving(..)) {
-            self.berth.request(Request::LetRest);
+            self.port.request(Request::LetRest);
         }
         self.tend(wait);
         if let Some(came) = self.came.take() {
@@ -116,7 +116,7 @@ impl Queued {
     /// The states of switches, in their order; nothing where the board does not tell them.
     pub fn are_on(&mut self, switches: &[usize]) -> Option<Vec<bool>> {
         self.asked = switches.iter().map(|switch| (*switch, None)).collect();
-        switches.iter().for_each(|switch| self.berth.request(Request::Switch(*switch)));
+        switches.iter().for_each(|switch| self.port.request(Request::Switch(*switch)));
         self.wait_until(|it| it.fault.is_some() || it.asked.iter().all(|(_, told)| told.is_some()));
         std::mem::take(&mut self.asked).into_iter().map(|(_, told)| told).collect()
     }
@@ -137,7 +137,7 @@ impl Queued {
         match act {
             Act::Look(switches) => {
                 self.asked = switches.iter().map(|switch| (*switch, None)).collect();
-                switches.into_iter().for_each(|it| self.berth.request(Request::Switch(it)));
+                switches.into_iter().for_each(|it| self.port.request(Request::Switch(it)));
             }
             Act::Move { axis, by, speed, motors, homes } => {
                 let mut from = self.counted();
@@ -209,7 +209,7 @@ impl Queued {
         }
         let told = self.switches(going.watches);
         if self.probe.waits && self.feeder.rests && self.state != State::Rest {
-            self.berth.request(Request::LetRest);
+            self.port.request(Request::LetRest);
             return false;
         }
         self.probe.waits = false;
@@ -219,7 +219,7 @@ impl Queued {
 
     fn watch_for(&mut self, told: Vec<Watched>) {
         if told != self.probe.told {
-            self.berth.request(Request::Watch(told.clone()));
+            self.port.request(Request::Watch(told.clone()));
             self.probe.told = told;
         }
     }
@@ -326,7 +326,7 @@ impl Queued {
         }
         let State::Moving(scale, _) = self.state else { return None };
         self.probe.slows = true;
-        self.berth.request(Request::LetRest);
+        self.port.request(Request::LetRest);
         while self.state != State::Rest && self.fault.is_none() {
             self.tend(NAP);
         }

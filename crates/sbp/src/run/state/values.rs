@@ -9,7 +9,7 @@ use std::sync::Arc;
 pub(crate) struct Values {
     /// Those in force.
     pub(crate) settings: Arc<Settings>,
-    /// Those to which temporary values return when the run ends (SV replaces them).
+    /// Permanent values, restored when the run ends (SV replaces them).
     pub(crate) kept: Arc<Settings>,
     /// In preview mode, while a file runs: those that it began with.
     pub(crate) looked_at: Option<Arc<Settings>>,

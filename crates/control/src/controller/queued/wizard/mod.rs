@@ -17,9 +17,9 @@ pub use question::{LOOK_MM, Question, Step};
 pub use switches::Seen;
 
 use super::attached::Socket;
+use super::axis_move::AxisMove;
 use super::introduced::introduced;
 use super::machine::Queued;
-use super::way::Way;
 use kerf_machine::boards::{KnownBoard, Plug};
 use kerf_machine::settings::motors::Motor;
 use kerf_machine::table;
@@ -248,7 +248,7 @@ impl Wizard<'_, '_> {
         loop {
             self.ask(Question::of(Step::BothGo, letter, ""))?;
             for to_mm in [LOOK_MM, 0.0] {
-                self.way(Way { axis, to_mm, mm_s: LOOK_MM_S })?;
+                self.way(AxisMove { axis, to_mm, mm_s: LOOK_MM_S })?;
             }
             if self.ask(Question::of(Step::BothWent, letter, ""))? != "n" {
                 return Ok(());
@@ -291,7 +291,7 @@ impl Wizard<'_, '_> {
         self.board.as_mut().ok_or_else(|| Ends::Failed("the board is gone".into()))
     }
 
-    fn way(&mut self, way: Way) -> Told {
+    fn way(&mut self, way: AxisMove) -> Told {
         let board = self.board.as_mut().ok_or_else(|| Ends::Failed("the board is gone".into()))?;
         let came = way.moves(board, &self.machine, || self.watcher.is_stopped());
         if came.map_err(Ends::Failed)? { Ok(()) } else { Err(Ends::Stopped) }
@@ -304,9 +304,9 @@ impl Wizard<'_, '_> {
             let letter = axis.letter();
             loop {
                 self.ask(Question::of(Step::Goes, letter, ""))?;
-                self.way(Way { axis, to_mm: LOOK_MM, mm_s: LOOK_MM_S })?;
+                self.way(AxisMove { axis, to_mm: LOOK_MM, mm_s: LOOK_MM_S })?;
                 let answer = self.ask(Question::of(Step::Went, letter, ""))?;
-                self.way(Way { axis, to_mm: 0.0, mm_s: LOOK_MM_S })?;
+                self.way(AxisMove { axis, to_mm: 0.0, mm_s: LOOK_MM_S })?;
                 let turns = match &*answer {
                     "" | "y" => break,
                     "n" => true,

@@ -2,7 +2,7 @@
 
 use super::question::{Question, Step, WAY_MM, unit};
 use super::{AXES, Told, Wizard};
-use crate::controller::queued::Way;
+use crate::controller::queued::AxisMove;
 use kerf_program::Axis;
 
 /// The first speed, and the highest one, mm/s.
@@ -75,7 +75,7 @@ impl Wizard<'_, '_> {
             self.put(axis, tried, value);
             let mm_s = self.machine.program.axis_dynamics().speed_mm_s[axis];
             for to_mm in [WAY_MM, 0.0] {
-                self.way(Way { axis, to_mm, mm_s })?;
+                self.way(AxisMove { axis, to_mm, mm_s })?;
             }
             if self.ask(Question::of(good_at, letter, value))? == "n" {
                 break;

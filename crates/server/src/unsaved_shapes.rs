@@ -22,14 +22,14 @@ const FILE: &str = "added.draft";
 type Added = BTreeMap<String, Vec<String>>;
 
 /// Shapes that were digitized into jobs and are not saved.
-pub struct AddedShapes {
+pub struct UnsavedShapes {
     pub hub: Arc<Hub>,
     pub files: Arc<PartFiles>,
     /// The data folder.
     pub data: PathBuf,
 }
 
-impl AddedShapes {
+impl UnsavedShapes {
     /// Tells of the jobs to which an earlier server had added shapes.
     pub fn tell(&self) {
         match self.read_added() {

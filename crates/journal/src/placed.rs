@@ -1,4 +1,4 @@
-//! Place of the machine.
+//! Place of the machine on record, and as it reads after somebody has zeroed axes.
 
 use kerf_program::{Axes, Axis, Frame};
 use serde::{Deserialize, Serialize};

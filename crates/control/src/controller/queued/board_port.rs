@@ -1,10 +1,10 @@
-//! The place where a board lies: requests go there, answers and time come from there.
+//! The port of a board as the machine of a run sees it: requests go in, answers and time come out.
 
 use kerf_driver_klipper::mailbox::{Answer, Progress, Request};
 use std::time::Duration;
 
-/// A board that something else feeds with bytes.
-pub trait Berth {
+/// Takes requests for a board and returns its answers; a thread or a test stands behind it.
+pub trait BoardPort {
     /// Hands a request over.
     fn request(&mut self, request: Request);
 

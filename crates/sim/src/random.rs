@@ -1,10 +1,10 @@
-//! Chance that can be played again: numbers from a seed (Steele, Lea and Flood 2014, SplitMix64).
+//! Random numbers that can be had again: numbers from a seed (Steele, Lea and Flood 2014, SplitMix64).
 
-/// Numbers that look random.
+/// Generator whose numbers look random and are the same for the same seed.
 #[derive(Clone, Debug)]
-pub struct Chance(u64);
+pub struct SeededRandom(u64);
 
-impl Chance {
+impl SeededRandom {
     /// The numbers of a seed.
     pub const fn new(seed: u64) -> Self {
         Self(seed)
@@ -25,7 +25,7 @@ impl Chance {
     }
 
     /// Returns `true` in so many of a hundred cases, by chance.
-    pub fn happens(&mut self, percent: u32) -> bool {
+    pub fn in_percent(&mut self, percent: u32) -> bool {
         self.next() % 100 < u64::from(percent)
     }
 }

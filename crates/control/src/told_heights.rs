@@ -11,14 +11,14 @@ use kerf_sim::Sheet;
 use kerf_trace::{Event, Sink};
 use std::sync::Arc;
 
-/// Heights in force, as they were told last, and the law by which Z leaves them behind.
+/// Heights that were told last, and the law by which they go with Z.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Carried {
+pub(crate) struct ToldHeights {
     heights: Heights,
     law: Option<HeightLaw>,
 }
 
-impl Carried {
+impl ToldHeights {
     /// These heights hold from now on.
     pub const fn hold(&mut self, heights: Heights) {
         self.heights = heights;

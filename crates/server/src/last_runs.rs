@@ -17,13 +17,13 @@ const FILE: &str = "ran";
 
 /// Remembers how the last run of each file ended, by what the file was run by.
 #[derive(Debug, Default)]
-pub struct Ran {
+pub struct LastRuns {
     runs: Mutex<BTreeMap<String, LastRun>>,
     /// File in which they are kept; none in a hub of a test.
     file: OnceLock<PathBuf>,
 }
 
-impl Ran {
+impl LastRuns {
     /// Keeps them in a data folder from now on, and knows those that are kept there.
     ///
     /// # Errors
@@ -81,20 +81,20 @@ mod tests {
     fn runs_are_known_after_a_restart() {
         let data = tempfile::tempdir().unwrap();
         let (ran, last) =
-            (Ran::default(), LastRun { ended: "ok".into(), at: 3, line: 2, seconds: 1.5 });
+            (LastRuns::default(), LastRun { ended: "ok".into(), at: 3, line: 2, seconds: 1.5 });
         ran.keep_in(data.path()).unwrap();
         ran.put("a", last.clone());
         ran.keep().unwrap();
-        let again = Ran::default();
+        let again = LastRuns::default();
         again.keep_in(data.path()).unwrap();
         assert_eq!(again.of("a"), Some(last));
         std::fs::write(data.path().join(FILE), "{\"a\":").unwrap();
-        assert!(Ran::default().keep_in(data.path()).is_err());
+        assert!(LastRuns::default().keep_in(data.path()).is_err());
     }
 
     #[test]
     fn the_oldest_run_is_forgotten() {
-        let ran = Ran::default();
+        let ran = LastRuns::default();
         for n in 0..=MOST as u64 {
             ran.put(&format!("{n}"), LastRun { at: n + 1, ..LastRun::default() });
         }

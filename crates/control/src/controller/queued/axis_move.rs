@@ -1,16 +1,16 @@
-//! Ways of one axis of a board with step queues, outside a run: on the bench.
+//! Moves of one axis of a board with step queues, outside a run: on the bench.
 
 use super::machine::Queued;
 use kerf_machine::{Configuration, Going, Machine};
 use kerf_motion::{Mover, Plan, planner};
 use kerf_program::{At, Axis, Feed, Line, MoveKind};
 
-/// A way takes no longer than this, seconds.
+/// A move takes no longer than this, seconds.
 const PATIENCE_S: f64 = 60.0;
 
-/// A way of an axis to a place.
+/// Move of one axis to a place.
 #[derive(Clone, Copy, Debug)]
-pub struct Way {
+pub struct AxisMove {
     /// The axis.
     pub axis: Axis,
     /// The place, mm or degrees.
@@ -19,7 +19,7 @@ pub struct Way {
     pub mm_s: f64,
 }
 
-impl Way {
+impl AxisMove {
     fn plan(self, queued: &Queued, machine: &Configuration) -> Option<Plan> {
         let settings = &machine.program;
         let (from, mut to) = (queued.counted(), queued.counted());

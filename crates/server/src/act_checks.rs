@@ -3,7 +3,7 @@
 
 use crate::asker::Asker;
 use crate::files::PartFolder;
-use crate::gate::Way;
+use crate::gate::Demand;
 use crate::machine::{Link, Order};
 use crate::orders::Orders;
 use crate::refusal::problem;
@@ -105,6 +105,6 @@ pub fn press(
     }
     let press = Press { number, on: pins.line_level(number, on) };
     let act = Act::Input { lease, number, on };
-    orders.want_of(asker, Way::Act(&act), |wanted| wanted.presses.push_back(press))?;
+    orders.want_of(asker, Demand::Act(&act), |wanted| wanted.presses.push_back(press))?;
     orders.send(Order::Switches)
 }

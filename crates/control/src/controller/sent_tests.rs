@@ -124,14 +124,14 @@ fn an_input_that_changed_on_the_way_of_a_move_is_told_before_its_end() {
 }
 
 /// A way from place to place: of a plan, or as it was sent.
-struct Way {
+struct Stretch {
     from: Axes,
     to: Axes,
     /// Centre in X and Y, and swept angle.
     arc: Option<([f64; 2], f64)>,
 }
 
-impl Way {
+impl Stretch {
     fn of(made: &Move) -> Self {
         let arc = match made.path {
             Path::Arc { centre, sweep_rad, .. } => Some((centre, sweep_rad)),
@@ -179,7 +179,7 @@ impl Way {
 }
 
 /// The ways that were ordered, from a place on.
-fn ordered(orders: &[Order], mut from: Axes) -> Vec<Way> {
+fn ordered(orders: &[Order], mut from: Axes) -> Vec<Stretch> {
     let mut ways = Vec::new();
     for order in orders {
         let Some(to) = order.to() else { continue };
@@ -187,7 +187,7 @@ fn ordered(orders: &[Order], mut from: Axes) -> Vec<Way> {
             Order::Arc { centre, sweep_rad, .. } => Some((*centre, *sweep_rad)),
             _ => None,
         };
-        ways.push(Way { from, to, arc });
+        ways.push(Stretch { from, to, arc });
         from = to;
     }
     ways
@@ -252,7 +252,7 @@ fn what_is_sent_stays_within_the_tolerance_of_the_path() {
             while connection.advance(&going(&plan, index, count), 0.0, end_s).reached_s < end_s {}
         }
         let sent = ordered(&record.borrow().orders, plan.moves()[0].from);
-        let path: Vec<Way> = plan.moves().iter().map(Way::of).collect();
+        let path: Vec<Stretch> = plan.moves().iter().map(Stretch::of).collect();
         assert!(!arcs || sent.iter().any(|way| way.arc.is_some()), "arcs are sent as such");
         within(&sent, &path, "what is sent from the path");
         within(&path, &sent, "the path from what is sent");
@@ -261,7 +261,7 @@ fn what_is_sent_stays_within_the_tolerance_of_the_path() {
 
 /// Every eighth of each way lies within the tolerance of the others.
 #[track_caller]
-fn within(ways: &[Way], others: &[Way], words: &str) {
+fn within(ways: &[Stretch], others: &[Stretch], words: &str) {
     for way in ways {
         for eighth in 0..=8 {
             let at = way.at(f64::from(eighth) / 8.0);
