@@ -5,10 +5,10 @@ import { ActionButton } from "../ui/ActionButton";
 import { t } from "../words/words";
 import "./goes-on.css";
 
-/** What this page lacks for an answer behind which the machine goes on. */
+/** What this page lacks for an answer after which the machine goes on. */
 export type Lacks = "control" | "arming";
 
-/** An answer behind which the machine goes on counts from whoever drives it, armed unless what runs is only drawn. */
+/** An answer after which the machine goes on counts from whoever drives it, armed unless what runs is only drawn. */
 export function lacks({ snapshot, who }: Shown): Lacks | undefined {
   const { lease, machine, job } = snapshot ?? {};
   if (lease && lease.client !== who?.client) return "control";

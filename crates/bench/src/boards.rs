@@ -49,8 +49,8 @@ pub fn table() -> Result<String> {
     let a_second = *commands as f64 / lasts_s;
     ensure!(a_second < PUBLISHED, "{a_second} commands a second");
     let mut table = format!(
-        "\nBoards with step queues, `steps-3x300k`: three axes at {STEPS_S} steps/s together, {lasts_s:.1} s of motion on the board \
-         that is none; the least of three runs, as a share of one core.\n\n\
+        "\nBoards with step queues, `steps-3x300k`: three axes at {STEPS_S} steps/s together, {lasts_s:.1} s of motion on the fake \
+         board; the least of three runs, as a share of one core.\n\n\
          | what | share of a core |\n| --- | --- |\n"
     );
     let whole = steps + board;

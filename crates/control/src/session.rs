@@ -63,7 +63,7 @@ impl Session {
         self.memory.before_preview.is_some()
     }
 
-    /// Returns the height to which a tool that stands lower is lifted behind a stop, machine frame; nothing where it stands
+    /// Returns the height to which a tool that stands lower is lifted after a stop, machine frame; nothing where it stands
     /// as high, or there is no Safe-Z.
     pub fn lift_mm(&self) -> Option<f64> {
         let kerf_sbp::Session { settings, frame, position, .. } = &self.memory;

@@ -145,7 +145,7 @@ impl<I: Interpreter> Station<'_, I> {
         if self.world.model.draws() { [self.world.now(); 2] } else { span_s.map(|s| t0_s + s) }
     }
 
-    /// Learns that nothing turns any more behind a stop that switches outputs off. It comes on again, with the time to come to
+    /// Learns that nothing turns any more after a stop that switches outputs off. It comes on again, with the time to come to
     /// speed, when the run goes on; a job says itself what comes on.
     pub(crate) fn learn_switched_off(&mut self) {
         if self.drive.stop_switches_off() && !self.interpreter.takes_stops() {

@@ -62,7 +62,7 @@ impl LinuxCnc {
         self.replies.push(Ok(Reply::State(self.standing())));
     }
 
-    /// It stands behind a stop. One that was stopped before it told of itself is asked now.
+    /// It stands after a stop. One that was stopped before it told of itself is asked now.
     fn has_stopped(&mut self) {
         self.on = self.status.outputs;
         if self.facts.is_some() {

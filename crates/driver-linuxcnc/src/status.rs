@@ -39,7 +39,7 @@ pub enum Doing {
     Panel,
     /// It slows down for a stop.
     Stopping,
-    /// It stands behind a stop.
+    /// It stands after a stop.
     Stopped,
     /// Its emergency stop is pressed.
     Estop,

@@ -204,7 +204,7 @@ fn needs_of_request(now: &Snapshot, request: &ConsoleRequest) -> Result<Need, Pr
     })
 }
 
-/// An answer that fills in a value, or ends what asks, is free for operators; one behind which the machine goes on
+/// An answer that fills in a value, or ends what asks, is free for operators; one after which the machine goes on
 /// is an act of whoever drives. Motion is none: it has acts of its own, which somebody holds on to.
 fn needs_of_answer(now: &Snapshot, question: Option<u32>, words: &str) -> Result<Need, Problem> {
     let open = |asked: &&Asked| question.is_none_or(|number| number == asked.number);

@@ -59,7 +59,7 @@ impl Runs {
         Ok(())
     }
 
-    /// Answers a question, the first counts; with a word behind which the machine goes on only as whoever drives it
+    /// Answers a question, the first counts; with a word after which the machine goes on only as whoever drives it
     /// still, and not where it was stopped meanwhile.
     pub fn answer(&self, asker: &Asker, question: u32, answer: String) -> Result<(), Problem> {
         let asked = self.hub.read(|now| now.asked.clone());

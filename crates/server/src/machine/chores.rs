@@ -53,7 +53,7 @@ impl Owner {
         None
     }
 
-    /// Notes that a command passed in from now on, if found when something else is over, came behind every stop so far.
+    /// Notes that a command passed in from now on, if found when something else is over, came after every stop so far.
     pub(super) fn look_for_passed_in(&mut self) {
         let stops = self.link.stops();
         let journal = self.workshop.workspace.journal();

@@ -189,7 +189,7 @@ impl Owner {
         let begun = Instant::now();
         loop {
             let order = orders.try_recv();
-            // Behind the order: what was stopped before it is off before it begins.
+            // After the order: what was stopped before it is off before it begins.
             self.stop_at_rest();
             self.attend();
             if matches!(order, Err(TryRecvError::Empty)) {

@@ -144,7 +144,7 @@ mod tests {
         assert_eq!(begins(&mut hand, 1), Ok(1));
         assert_eq!(begins(&mut hand, 1), Err(GripError::Over), "twice");
         hand.ends(2);
-        assert_eq!(begins(&mut hand, 2), Err(GripError::Over), "behind its own stop");
+        assert_eq!(begins(&mut hand, 2), Err(GripError::Over), "after its own stop");
         assert_eq!(begins(&mut hand, u64::MAX), Err(GripError::Far));
         hand.ends(u64::MAX);
         assert_eq!(begins(&mut hand, 3), Ok(3), "whatever came before");
