@@ -9,17 +9,17 @@ import type { Screen } from "../app/screen";
 import type { Link } from "../link/link";
 import type { Shown } from "../link/shown";
 
-/** What actions look at and act on. */
+/** The page, the server and the person's answers, as actions see and use them. */
 export interface World {
-  /** What the server last told. */
+  /** State that the server told last. */
   readonly shown: Shown;
   /** Asks the server. */
   readonly link: Link;
-  /** What this browser shows: route, theme, open sheets. */
+  /** State of this browser: route, theme, open sheets. */
   readonly screen: Screen;
 }
 
-/** Where an action stands in menus. */
+/** Group of a menu in which an action stands. */
 export type Section = "machine" | "job" | "file" | "view" | "go" | "draw" | "help";
 
 export interface Action {
@@ -32,13 +32,13 @@ export interface Action {
   readonly when?: (world: World) => boolean;
   /** Also heard while somebody types into a field. */
   readonly everywhere?: boolean;
-  /** Why it cannot be done now; nothing when it can. */
+  /** Tells why it cannot be done now; nothing when it can. */
   readonly refused?: (world: World) => string | undefined;
   /** Goes to what keeps it from being done, where a person can mend that: a press on its button does. */
   readonly mends?: (world: World) => void;
   /** Its keys say why it cannot be done now; those of others do nothing then. */
   readonly keysTell?: boolean;
-  /** What a person has to know before he lets it happen. */
+  /** Warning that a person reads before he lets it happen. */
   readonly warns?: (world: World) => string;
   readonly run: (world: World) => void;
 }

@@ -36,10 +36,10 @@ export async function leased(world: World): Promise<number | undefined> {
   return told(world, leaseOf);
 }
 
-/** How long what was granted may take until it is told, milliseconds. */
+/** Longest time that the server may take to tell of what it granted, milliseconds. */
 const patienceMs = 1000;
 
-/** What the server tells, as soon as it is there; a reply may overtake the change it is about. */
+/** Waits until the server tells something; a reply may overtake the change it is about. */
 function told<T>(world: World, read: (shown: Shown) => T | undefined): Promise<T | undefined> {
   const { shown } = world.link;
   return new Promise((resolve) => {

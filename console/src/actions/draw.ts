@@ -26,7 +26,7 @@ const onDrawing = (id: string, title: string, op: Op, keys: readonly string[]): 
   run: (world) => void ask(world, { do: "draw", op }),
 });
 
-/** Whether the drawing on the sheet would be lost with another one in its place. */
+/** Tells whether another drawing in place of the one on the sheet would lose unsaved changes. */
 export const isUnsaved = ({ shown }: World): boolean => {
   const drawing = shown.snapshot?.drawing;
   return drawing ? drawing.changed && drawing.shapes > 0 : false;

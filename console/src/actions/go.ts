@@ -1,4 +1,4 @@
-/** Where to look: screens, sheets, themes, faces. */
+/** Actions that change the view: screens, sheets, themes, faces. */
 
 import { type Route, routes } from "../app/routes";
 import type { Sheet } from "../app/screen";

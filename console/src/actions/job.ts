@@ -10,7 +10,7 @@ import { unless, unlessReady, whenIdle } from "./machine";
 
 const openedOf = ({ shown }: World) => shown.snapshot?.opened ?? undefined;
 
-/** Why the open file cannot be started. */
+/** Tells why the open file cannot be started. */
 function notPreviewed(world: World): string | undefined {
   const opened = openedOf(world);
   if (!opened) return t("Open a file first.");
@@ -119,7 +119,7 @@ const drawingOf = (world: World): string | null => {
 
 const interruptedOf = ({ shown }: World) => shown.snapshot?.interrupted ?? undefined;
 
-/** What is to be known of a run before it goes on. */
+/** Warnings to be read before a run goes on. */
 function warnings(world: World): string {
   const interrupted = interruptedOf(world);
   const doubt = t(

@@ -1,4 +1,4 @@
-/** Which action a key means. */
+/** Finds the action of a key. */
 
 import type { Action, World } from "./action";
 import { keysOf } from "./bindings";

@@ -1,4 +1,4 @@
-/** What the machine does: stop, hold, resume, arm, zero. */
+/** Actions of the machine: stop, hold, resume, arm, zero. */
 
 import { leaseOf } from "../link/shown";
 import type { Snapshot, State } from "../wire/messages";
@@ -204,7 +204,7 @@ const switchOutput = (n: number): Action => ({
 /** Switches of the outputs 1 to 12. */
 export const outputs: readonly Action[] = Array.from({ length: 12 }, (_, n) => switchOutput(n + 1));
 
-/** What a machine that is disarmed, held or in alarm tells. */
+/** Reason that a machine tells while it is disarmed, held or in alarm. */
 export const whyOf = (snapshot: Snapshot | null): string => snapshot?.machine.why ?? "";
 
 export const machineActions: readonly Action[] = [

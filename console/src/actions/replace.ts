@@ -37,7 +37,7 @@ export async function writing(world: World, name: string, attempt: Attempt): Pro
   return end === "written";
 }
 
-/** Whether the person says that the file under a name may be replaced. */
+/** Asks the person if the file under a name may be replaced. */
 export const mayReplace = async (world: World, name: string): Promise<boolean> =>
   asked(world, await aboutFile(name));
 

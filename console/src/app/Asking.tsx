@@ -36,5 +36,5 @@ export function Asking({ asked }: { asked: Asked }) {
   }
 }
 
-/** Whether a question takes the screen behind it away. */
+/** Tells whether a question takes the screen behind it away. */
 export const covers = ({ kind }: Asked): boolean => kind !== "step" && kind !== "editor";

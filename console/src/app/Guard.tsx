@@ -5,9 +5,9 @@ import "./guard.css";
 
 interface Guarded {
   readonly children: ReactNode;
-  /** What it is about: with another one it is tried again, and what did not fail stays as it is. */
+  /** Subject of the part: with another one it is tried again, and a part that did not fail stays as it is. */
   readonly about?: unknown;
-  /** What stands in place of a part that failed; by default a panel that says so. */
+  /** Stands in place of a part that failed; by default a panel that says so. */
   readonly instead?: ReactNode;
 }
 

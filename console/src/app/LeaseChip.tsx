@@ -5,7 +5,7 @@ import { t } from "../words/words";
 import { useShown } from "./context";
 import "./lease-chip.css";
 
-/** Who drives, where there is more than one page; nobody needs to know otherwise. */
+/** Shows who drives, where there is more than one page; nobody needs to know otherwise. */
 export function LeaseChip() {
   const lease = useShown((shown) => shown.snapshot?.lease);
   const drives = useShown((shown) => leaseOf(shown) !== undefined);

@@ -17,7 +17,7 @@ const meaning: Record<Mode, string> = {
   cut: t("A real machine moves."),
 };
 
-/** What running a file means: told by word, colour and pattern. A press changes between preview and cut. */
+/** Shows by word, colour and pattern if a file that is run is previewed or cut. A press changes between the two. */
 export function ModeChip() {
   const hands = useHands();
   const machine = useShown((shown) => shown.snapshot?.machine);

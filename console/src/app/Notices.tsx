@@ -4,7 +4,7 @@ import { useWords } from "./useWords";
 import { Waits } from "./Waits";
 import "./notices.css";
 
-/** What was just refused, and why. */
+/** Shows the last refusals with their reasons. */
 export function Notices() {
   const { screen } = useHands();
   const notices = useScreen("notices");

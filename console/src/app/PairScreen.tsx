@@ -65,7 +65,7 @@ export function PairScreen() {
   );
 }
 
-/** Whether the server does not know this device. */
+/** Tells whether this device is unknown to the server. */
 function useUnpaired(): boolean {
   const status = useShown((shown) => shown.status);
   const [unpaired, setUnpaired] = useState(false);

@@ -14,14 +14,14 @@ const words: Record<State, string> = {
   alarm: t("Alarm"),
 };
 
-/** What stands open is no question to everybody. */
+/** Words for dialogs that stand open without a question to everybody. */
 const openWords: Record<string, string> = {
   keypad: t("Keypad"),
   step: t("Line by line"),
   editor: t("Editor"),
 };
 
-/** What the machine is doing, and why it does not move. */
+/** Shows the state of the machine, and why it does not move. */
 export function StateWord() {
   const status = useShown((shown) => shown.status);
   const machine = useShown((shown) => shown.snapshot?.machine);

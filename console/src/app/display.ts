@@ -1,4 +1,4 @@
-/** What the machine's display settings (VD) say about this page. */
+/** Reads the machine's display settings (VD) that concern this page. */
 
 import { useMemo } from "react";
 import { type Mm, mm } from "../units/quantity";
@@ -13,7 +13,7 @@ export interface DisplaySettings {
   readonly fixedMm: Mm;
   /** Place and size of the message screen, pixels (12 to 15). */
   readonly message: readonly [number, number, number, number];
-  /** What moves the tool at the keypad (9): 0 this page, 1 a pendant on the inputs, 2 another program. */
+  /** Device that moves the tool at the keypad (9): 0 this page, 1 a pendant on the inputs, 2 another program. */
   readonly remote: number;
   /** A simplified picture shows how far the file is (17). */
   readonly progress: boolean;

@@ -131,7 +131,7 @@ export function evaluate(text: string, unit: LengthUnit = millimetres): number |
 /** A result as it is shown: six digits behind the point at most, no zeros at the end. */
 export const resultText = (value: number): string => String(Number(value.toFixed(6)));
 
-/** Whether a text is more than a plain number. */
+/** Tells whether a text is more than a plain number. */
 export const isExpression = (text: string): boolean =>
   text.trim() !== "" && Number.isNaN(Number(text)) && evaluate(text) !== undefined;
 

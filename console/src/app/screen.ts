@@ -1,11 +1,11 @@
-/** What this browser shows and the server need not know: route, theme, face, open sheets. */
+/** State that belongs to this browser and not to the server: route, theme, face, open sheets. */
 
 import { applyTheme, rememberedTheme, type Theme } from "../theme/theme";
 import type { FileAbout } from "../wire/messages";
 import { type Route, routeOf } from "./routes";
 import { createStore, type Store } from "./store";
 
-/** What lies over the screen. Jobs' questions are not here: they belong to the server. */
+/** Sheet that lies over the screen. Jobs' questions are not here: they belong to the server. */
 export type Sheet =
   /** With files of this computer that go into the part folder. */
   | { readonly kind: "files"; readonly given?: readonly File[] }
@@ -72,11 +72,11 @@ export interface ScreenState {
   readonly large: boolean;
   /** The page of the help that was asked for: the letters of its command. */
   readonly topic: string;
-  /** What the editor was asked to show: a new value each time; an empty name is an empty page. */
+  /** File that the editor was asked to show: a new value each time; an empty name is an empty page. */
   readonly edits: { readonly name: string } | null;
   /** The drawing tool that was asked for; a new value each time. */
   readonly tool: { readonly id: string } | null;
-  /** What the person has to know of what was just refused; the newest last. */
+  /** Notices of the last refusals; the newest last. */
   readonly notices: readonly Notice[];
 }
 
@@ -124,7 +124,7 @@ export interface Screen extends Store<ScreenState> {
   dismiss(id: number): void;
 }
 
-/** How long a notice stays, milliseconds, and how many at once. */
+/** Time that a notice stays, milliseconds, and most notices at once. */
 const noticeMs = 7000;
 const mostNotices = 3;
 

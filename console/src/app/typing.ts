@@ -1,4 +1,4 @@
-/** What keys go into. */
+/** Tells which elements of the page take typed keys. */
 
 /** Fields that a space is no letter of. */
 const notWritten = [
@@ -13,18 +13,18 @@ const notWritten = [
   "submit",
 ];
 
-/** Whether letters go into it, and spaces. */
+/** Tells whether letters and spaces go into an element. */
 export const takesText = (target: EventTarget | null): target is HTMLElement =>
   target instanceof HTMLElement &&
   (target.isContentEditable ||
     target instanceof HTMLTextAreaElement ||
     (target instanceof HTMLInputElement && !notWritten.includes(target.type)));
 
-/** Whether keys other than the space bar mean something in it. */
+/** Tells whether keys other than the space bar mean something in an element. */
 export const takesKeys = (target: EventTarget | null): boolean =>
   takesText(target) || target instanceof HTMLInputElement || target instanceof HTMLSelectElement;
 
-/** Whether it is switched by a press, and a press is all that it knows. */
+/** Tells whether an element is a switch: it is pressed, and takes nothing else. */
 export const isSwitch = (target: EventTarget | null): target is HTMLInputElement =>
   target instanceof HTMLInputElement && ["checkbox", "radio"].includes(target.type);
 

@@ -104,7 +104,7 @@ export function CommandLine() {
   );
 }
 
-/** When fill-in sheets appear; a right click on the command line brings it. */
+/** Menu of the choices when fill-in sheets appear; a right click on the command line brings it. */
 function FillInOptions({ onClose }: { onClose: () => void }) {
   return (
     <div className="hint">

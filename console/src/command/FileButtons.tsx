@@ -12,7 +12,7 @@ interface FileButtonsProps {
   onDone: () => void;
 }
 
-/** What else can be done with a file than to cut it: look at it, go through it line by line. */
+/** Buttons for a file beside the cut: to look at it, to go through it line by line. */
 export function FileButtons({ line, entries, onDone }: FileButtonsProps) {
   const hands = useHands();
   const name = (entries[0] ?? "").trim();

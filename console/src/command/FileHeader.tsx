@@ -3,7 +3,7 @@ import { useSnapshot } from "../app/context";
 import { useFiles } from "../operator/useFiles";
 import { Button } from "../ui/Button";
 
-/** What the head of the file tells about the job, behind a mark. Nothing where it tells nothing. */
+/** Shows the job's facts from the head of the file, behind a mark. Nothing where the head holds none. */
 export function FileHeader({ name }: { name: string }) {
   const folder = useSnapshot("folder")?.name ?? "";
   const wanted = folder === "" ? name.trim() : `${folder}/${name.trim()}`;

@@ -11,7 +11,10 @@ interface ParameterHintProps {
   onSheet: (entry: CommandEntry, text: string) => void;
 }
 
-/** What a command takes, in its order, with the one that is being written; or what could follow a letter. */
+/**
+ * Lists the parameters of a command in order and marks the one being written; before that, the commands of
+ * a letter.
+ */
 export function ParameterHint({ text, entry, table, onSheet }: ParameterHintProps) {
   if (!entry) return <Following letter={text.trim()} table={table} />;
   const now = parameterAt(entry, text);

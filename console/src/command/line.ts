@@ -30,7 +30,7 @@ export function commandOf(table: readonly CommandEntry[], text: string): Command
   return letters === undefined ? undefined : findCommand(table, letters);
 }
 
-/** What is written for each parameter; a comma in quotes does not part them. */
+/** Splits a line into its parameters; a comma in quotes does not part them. */
 export function argumentsOf(text: string): string[] {
   const rest = text.replace(/^\s*[A-Za-z][A-Za-z0-9]\s*,?/, "");
   if (rest.trim() === "") return [];
@@ -44,12 +44,12 @@ export function argumentsOf(text: string): string[] {
   return parts.map((part) => part.trim());
 }
 
-/** Which parameter is being written: counted by the commas before. */
+/** Finds the parameter that is being written by counting the commas before. */
 export function parameterAt(entry: CommandEntry, text: string): Parameter | undefined {
   return entry.parameters[Math.max(argumentsOf(text).length - 1, 0)];
 }
 
-/** What becomes of the line when a person types. */
+/** Gives the state of the line after a person typed. */
 export function typed(state: LineState, text: string, table: readonly CommandEntry[]): LineState {
   const grows = text.length === state.text.length + 1 && text.startsWith(state.text);
   const named = grows && text.length === 2 ? commandOf(table, text) : undefined;
@@ -61,7 +61,7 @@ export function typed(state: LineState, text: string, table: readonly CommandEnt
   return { ...state, text: doubled ? state.text : text, parted: false };
 }
 
-/** Whether a command acts without ENTER: it has nothing more to be told. */
+/** Tells whether a command acts without ENTER: it has no parameters. */
 export const isImmediate = (entry: CommandEntry | undefined): boolean =>
   entry !== undefined && entry.parameters.length === 0;
 

@@ -1,9 +1,9 @@
-/** What this browser remembers of fill-in sheets: when they appear, and what was last entered. */
+/** Preferences of fill-in sheets in this browser: when they appear, and the last entries. */
 
 import type { CommandEntry } from "../wire/messages";
 import type { Entries } from "./sheet";
 
-/** When a sheet appears as soon as its command is typed. */
+/** Choice of the commands that bring their sheet as soon as they are typed. */
 export type SheetsAppear = "always" | "complex" | "never";
 
 export const sheetsAppear: readonly { readonly value: SheetsAppear; readonly words: string }[] = [
@@ -29,14 +29,14 @@ export function appear(): SheetsAppear {
 
 export const setAppear = (when: SheetsAppear): void => localStorage.setItem(appearKey, when);
 
-/** Whether the sheet of this command was not switched off by itself (Alt-D). */
+/** Tells whether the sheet of this command was not switched off by itself (Alt-D). */
 export const isShown = (letters: string): boolean =>
   localStorage.getItem(shownKey(letters)) !== "off";
 
 export const setShown = (letters: string, on: boolean): void =>
   localStorage.setItem(shownKey(letters), on ? "on" : "off");
 
-/** Whether typing a command brings its sheet. */
+/** Tells whether typing a command brings its sheet. */
 export function bringsSheet(entry: CommandEntry): boolean {
   const when = appear();
   if (when === "never" || entry.parameters.length === 0 || !isShown(entry.letters)) return false;

@@ -5,10 +5,10 @@ import { type LengthUnit, ofUnit, shown } from "../units/quantity";
 import type { CommandEntry, FileParameters, Parameter } from "../wire/messages";
 import { t } from "../words/words";
 
-/** What is entered for each parameter, in the order of the part file; blank is not given. */
+/** Entry for each parameter, in the order of the part file; blank is not given. */
 export type Entries = readonly string[];
 
-/** What a new sheet shows: what was typed so far, else present settings, else defaults. */
+/** Entries of a new sheet: those typed so far, else present settings, else defaults. */
 export function firstEntries(entry: CommandEntry, given: readonly string[]): Entries {
   return entry.parameters.map((parameter, n) => given[n] || startOf(parameter));
 }
@@ -21,7 +21,7 @@ export const resetEntries = (entry: CommandEntry): Entries => firstEntries(entry
 export const withEntry = (entries: Entries, n: number, text: string): Entries =>
   entries.map((old, k) => (k === n ? text : old));
 
-/** What is seldom said stands last on a sheet, wherever it stands in the line. */
+/** Parameters that are seldom given stand last on a sheet, wherever they stand in the line. */
 const seldom = /^Feature$/;
 
 /** The order in which a sheet shows its parameters, by their places in the line. */
@@ -31,7 +31,7 @@ export function sheetOrder({ parameters }: CommandEntry): number[] {
   return [...places.filter((n) => !last(n)), ...places.filter(last)];
 }
 
-/** What is wrong with an entry; nothing when it may be sent. */
+/** Finds the mistake in an entry; nothing when it may be sent. */
 export function mistakeIn(parameter: Parameter, text: string): string | undefined {
   const written = text.trim();
   if (written === "") return parameter.required ? t("This has to be given.") : undefined;
@@ -84,8 +84,8 @@ const asWritten = (text: string): string =>
   text.includes(",") && !text.startsWith('"') ? `"${text}"` : text;
 
 /**
- * What is kept of a text that is typed into a field, and whether the next field is meant: a comma parts
- * parameters, unless it is in quotes. One that belongs to the letters of the command is nothing: the
+ * Parts a text that is typed into a field at a comma: the text that stays, and true if the next field is
+ * meant. A comma in quotes parts nothing. A comma right behind the letters of the command is dropped: the
  * sheet came while `FP,part.sbp` was being typed.
  */
 export function parted(text: string, first: boolean): { kept: string; goesOn: boolean } {

@@ -8,8 +8,8 @@ import "./step-bar.css";
 import { useStepsOn } from "./useStepsOn";
 
 /**
- * What is done with the line that is due, while a file is gone through line by line (FG). It stays while
- * this page steps on by itself, also between two lines.
+ * Buttons for the line that is due, while a file is gone through line by line (FG). They stay while this
+ * page steps on by itself, also between two lines.
  */
 export function StepBar() {
   const due = useShown(({ snapshot }) =>

@@ -105,7 +105,7 @@ function Keys({ world, keys, first = false }: KeysProps) {
 const yes: DigitizingKey = { title: t("Yes"), doc: t("Enter"), keys: "E" };
 const no: DigitizingKey = { title: t("No"), doc: t("Func"), keys: "U" };
 
-/** Whether points may be lost. */
+/** Asks if the points may be lost. */
 function Answers({ world, lines }: { world: World; lines: readonly string[] }) {
   if (!lines[0]?.startsWith("Lose ")) return null;
   return <Keys world={world} keys={[yes, no]} />;

@@ -1,4 +1,4 @@
-/** What can be done while digitizing, each as the keys of the hand console that do it. */
+/** Functions of digitizing, each as the keys of the hand console that call it. */
 
 import type { World } from "../actions/action";
 import { drive } from "../actions/ask";
@@ -67,7 +67,7 @@ export const moveTo = (x: Mm, y: Mm): DigitizingKey =>
 /** A number as keys: File types the point, there is room for nine characters. */
 const typed = (length: Mm): string => length.toFixed(3).slice(0, 9).replace(".", "F");
 
-/** What is pressed goes on until here: keys of two buttons must not mix. */
+/** Resolves when all earlier presses are done: keys of two buttons must not mix. */
 let before: Promise<void> = Promise.resolve();
 
 /** Presses the keys of a button, behind those of the button that was pressed before. */

@@ -5,7 +5,7 @@ import { type Box, isEmpty, joined, type Place, place } from "../draw/geometry/v
 import { fitted, type Size, type Window, zoomedTo } from "../draw/window";
 import type { Digitized, Look } from "../wire/messages";
 
-/** What a sheet shows of them. */
+/** Digitized point as a sheet draws it. */
 export interface DigitizedItem {
   readonly kind: "digitized";
   /** The lines and arcs through the points. */
@@ -16,7 +16,7 @@ export interface DigitizedItem {
 export interface DigitizedMark {
   readonly at: Place;
   readonly arc: boolean;
-  /** What is inserted, changed or deleted next. */
+  /** True for the point that is inserted, changed or deleted next. */
   readonly current: boolean;
 }
 
@@ -46,7 +46,7 @@ export interface InSight {
   readonly expansion: number;
 }
 
-/** What is in sight after a look (digitizing functions 30 to 33). */
+/** Box that a sheet shows after a look (digitizing functions 30 to 33). */
 export function lookedAt(
   look: Look,
   { window, size, data, points, machine, expansion }: InSight,

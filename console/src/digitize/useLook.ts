@@ -1,10 +1,10 @@
-/** What the hand console wants in sight, once each time. */
+/** Brings into sight the part of the drawing that the hand console asks for, once each time. */
 
 import { useEffect, useRef } from "react";
 import { useSnapshot } from "../app/context";
 import type { Look } from "../wire/messages";
 
-/** What was looked at before the page was there stays as it is. */
+/** Calls `look` for each new request; requests from before the page was there are passed over. */
 export function useLook(look: (at: Look) => void): void {
   const looked = useSnapshot("looked");
   const number = looked?.number ?? 0;

@@ -27,7 +27,7 @@ import { ViewPanel } from "./ViewPanel";
 import { expansionFactor, usualExpansion } from "./window";
 import "./draw-screen.css";
 
-/** Where no setting says otherwise, a click picks what lies so near, pixels. */
+/** Distance within which a click picks a shape unless a setting says otherwise, pixels. */
 const usualRadius = 8;
 
 /** And ends are joined that are so near, mm. */

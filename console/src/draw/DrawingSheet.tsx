@@ -113,7 +113,7 @@ export function DrawingSheet({ desk, scene, revision, children }: DrawingSheetPr
 const classOf = ({ state, waits }: Desk): string =>
   ["sheet-box", state.running ? "sheet-picking" : "", waits ? "sheet-waits" : ""].join(" ").trim();
 
-/** What is in sight of a new drawing, mm: the corner of a table at its origin. */
+/** Area that a new drawing shows, mm: the corner of a table at its origin. */
 const corner = boxOf(place(-10, -10), place(300, 200));
 
 /** Follows the size of the picture, and shows all of a drawing as soon as the shapes of it are loaded. */

@@ -13,7 +13,7 @@ interface EntryBoxProps {
   onDone: () => void;
 }
 
-/** Where a place or a number is typed, at the cursor. */
+/** Field at the cursor for a typed place or number. */
 export function EntryBox({ desk, size, unit, onDone }: EntryBoxProps) {
   const input = useRef<HTMLInputElement>(null);
   const { entry, running, window, pointer } = desk.state;

@@ -13,7 +13,7 @@ interface FileSheetProps {
   endings: readonly string[];
   /** A name that is written; without it, one that is read. */
   proposal?: string;
-  /** What a person has to know before he chooses. */
+  /** Warning that a person reads before he chooses. */
   warning?: string | undefined;
   /** Files of this computer that are brought first. */
   given?: readonly File[] | undefined;

@@ -51,7 +51,7 @@ const rows: readonly Row[] = [
   output("cut", [t("Output"), t("Cut output, 1 to 3")]),
 ];
 
-/** How the shapes of a group are cut. */
+/** Form for the cutting of a group: its settings hold for all its shapes. */
 export function GroupForm({ group, unit, desk }: GroupFormProps) {
   const set = (words: string) => desk.send(`set ${group.name} ${words}`);
   return (

@@ -18,7 +18,7 @@ interface SelectionPanelProps {
   notes: readonly string[];
 }
 
-/** What is selected: how many, how large, which way; and what the drawing has to tell. */
+/** Describes the selection: number of shapes, size, direction; and shows the notes on the drawing. */
 export function SelectionPanel({ desk, scene, notes }: SelectionPanelProps) {
   const unit = useLengthUnit();
   const drawing = useSnapshot("drawing");

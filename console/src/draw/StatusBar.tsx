@@ -11,7 +11,7 @@ interface StatusBarProps {
   onPress: () => void;
 }
 
-/** What is asked, which keys there are, and where the mouse is. */
+/** Shows the question of the tool, its keys, and the place of the mouse. */
 export function StatusBar({ desk, unit, onPress }: StatusBarProps) {
   const { state } = desk;
   const { title, words, snap } = promptOf(state);

@@ -6,7 +6,7 @@ interface ViewPanelProps {
   onChange: (options: ViewOptions) => void;
 }
 
-/** What is drawn. */
+/** Switches for the parts of the picture that are drawn. */
 export function ViewPanel({ options, onChange }: ViewPanelProps) {
   return (
     <Panel title="View">

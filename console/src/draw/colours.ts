@@ -1,4 +1,4 @@
-/** What colour a shape has: that of its group, or what its direction says. */
+/** Colours of shapes: by group or by direction. */
 
 import type { Shape } from "./geometry/shape";
 

@@ -44,7 +44,7 @@ export type Drag =
   | { readonly kind: "pan"; readonly at: Place };
 
 export interface Chooser {
-  /** Where the click was. */
+  /** Place of the click. */
   readonly at: Place;
   readonly numbers: readonly number[];
 }
@@ -55,15 +55,15 @@ export interface DeskState {
   readonly running: Running | null;
   readonly last: Tool | null;
   readonly turnStep: number;
-  /** Where the mouse is, in the drawing. */
+  /** Place of the mouse, in the drawing. */
   readonly pointer: Place | null;
   readonly drag: Drag | null;
   readonly chooser: Chooser | null;
-  /** What is being typed at the cursor. */
+  /** Text that is being typed at the cursor. */
   readonly entry: string | null;
 }
 
-/** What a step looks at. */
+/** Surroundings that a step reads beside the state of the desk. */
 export interface Around {
   readonly picking: Picking;
   readonly selected: readonly number[];
@@ -126,13 +126,13 @@ export function pickPlace(state: DeskState, at: Place, around: Around): Place | 
   return snapped(running?.snap ?? null, at, around.picking, radiusOf(state, around), base);
 }
 
-/** What a click would pick, in cutting order. */
+/** Shapes that a click would pick, in cutting order. */
 export const shapesUnder = (state: DeskState, at: Place, around: Around): Shape[] =>
   shapesNear(around.picking, at, radiusOf(state, around));
 
 export const takesShape = (running: Running): boolean => asked(running)?.ask === "shape";
 
-/** Whether a click gives a place, whatever lies there. */
+/** Tells whether a click gives a place, whatever lies there. */
 export const takesPlace = (running: Running): boolean => {
   const ask = asked(running);
   return (
@@ -227,7 +227,7 @@ function placed(state: DeskState, running: Running, at: Place, around: Around): 
 /** One of the buttons among which a click that met several shapes lets choose. */
 export interface Choice {
   readonly number: number;
-  /** Whether it is selected or picked already. */
+  /** True if it is selected or picked already. */
   readonly highlighted: boolean;
 }
 

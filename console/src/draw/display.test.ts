@@ -46,7 +46,7 @@ const marks = <K extends Mark["kind"]>(kind: K, options: ViewOptions, given: Giv
     (mark): mark is Extract<Mark, { kind: K }> => mark.kind === kind,
   );
 
-/** Whether an ink has a colour in every theme. */
+/** Checks that an ink has a colour in every theme. */
 const inkIs = (token: string | undefined, colour: string) => {
   const colours = coloursOf(token ?? "");
   expect(colours.length).toBeGreaterThan(1);

@@ -1,4 +1,4 @@
-/** What a typed entry means to the tool at work. */
+/** Gives a typed entry to the tool at work. */
 
 import type { LengthUnit } from "../units/quantity";
 import type { Around, DeskState, Done } from "./desk";

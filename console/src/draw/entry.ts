@@ -1,5 +1,5 @@
 /**
- * What a person types for a place or a number.
+ * Reads a place or a number that a person types.
  *
  * Places: `x,y`, `@dx,dy` from the last place, `len<angle` from the last place. Numbers are
  * expressions; each term has a unit of its own or the user's: `3/4in+2mm`, `(10+5)/2`.

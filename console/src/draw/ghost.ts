@@ -1,4 +1,4 @@
-/** What is drawn at the mouse while a tool is at work. */
+/** Ghost of a change, drawn at the mouse while a tool is at work. */
 
 import { type Around, type DeskState, isFar, pickPlace, shapesUnder } from "./desk";
 import { bulgeThrough, type Segment } from "./geometry/segment";
@@ -37,7 +37,7 @@ function carriedBy({ drag, window }: DeskState): Ghost {
   return { kind: "moved", numbers: drag.numbers, by: shifted(drag.from, drag.to) };
 }
 
-/** What is picked: by the tool at work, else to be sequenced later. */
+/** Shapes that are picked: by the tool at work, else to be sequenced later. */
 function picksOf(running: Running | null, { picked }: Around) {
   if (!running) return { numbers: picked, numbered: true };
   const ask = asked(running);
@@ -53,7 +53,7 @@ const ghostOf = ({ tool, answers, turned }: Running, at: Place, shapes: readonly
 const byNumber = (shapes: readonly Shape[], numbers: readonly number[]): Shape[] =>
   numbers.flatMap((number) => shapes.find((shape) => shape.number === number) ?? []);
 
-/** What a click would pick. */
+/** Shapes that a click would pick. */
 function hoveredOf(state: DeskState, around: Around): Shape[] {
   const { running, pointer, drag } = state;
   const ask = running && asked(running)?.ask;
@@ -77,5 +77,5 @@ function pathTo({ vertices, bending }: Running, at: Place): Segment[] {
   return [...made, next];
 }
 
-/** Where a typed place counts from. */
+/** Place from which a typed place counts. */
 export const entryBase = (running: Running | null): Place | null => running && baseOf(running);

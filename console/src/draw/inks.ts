@@ -1,4 +1,4 @@
-/** What colours the inks of the drawing are, for tests. */
+/** Reads the colours of the drawing's inks, for tests. */
 
 import { readFileSync } from "node:fs";
 

@@ -1,7 +1,4 @@
-/**
- * What single keys do at the desk, as data: the keys, their menus and the buttons in sight are made of
- * this list.
- */
+/** Single keys of the desk as data: the keys, their menus and the buttons in sight are made of this list. */
 
 import { t } from "../words/words";
 import {
@@ -18,13 +15,13 @@ import { asked, baseOf } from "./tools/running";
 import { larger, smaller, turnedOn } from "./tools/turn";
 import { centredOn, fitted, type Window, zoomedTo } from "./window";
 
-/** Where a key's button stands. */
+/** Menu in which a key's button stands. */
 export type KeyMenu = "window" | "snap" | "turn" | "tool";
 
 export interface DeskKey {
   /** As `KeyboardEvent.key`, in small letters. */
   readonly key: string;
-  /** What stands on its button; for the window, which picture does. */
+  /** Text on its button; for the window, the name of a picture. */
   readonly sign: string;
   readonly title: string;
   readonly menu: KeyMenu;

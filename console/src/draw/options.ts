@@ -61,7 +61,7 @@ const usual: ViewOptions = {
   machine: false,
 };
 
-/** Whether something is shown that the server makes of the drawing. */
+/** Tells whether the view shows something that the server makes of the drawing. */
 export const showsMachined = ({ toolPaths, rough, smoothed, filtered }: ViewOptions): boolean =>
   toolPaths || rough || smoothed || filtered;
 

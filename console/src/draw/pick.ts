@@ -1,4 +1,4 @@
-/** Which shapes lie under the pointer: an index of all segments of a drawing. */
+/** Finds the shapes under the pointer: an index of all segments of a drawing. */
 
 import Flatbush from "flatbush";
 import { distanceTo, type Segment, segmentBox } from "./geometry/segment";

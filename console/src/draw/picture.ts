@@ -1,6 +1,6 @@
 /**
- * What the sheet shows, as lists: lines with their colours, and small marks. Painters paint them, and
- * tests read them.
+ * Picture of the sheet as lists: lines with their colours, and small marks. Painters paint them, and tests
+ * read them.
  */
 
 import { hueOf, tokenOf } from "./colours";
@@ -23,7 +23,7 @@ export interface Stroke {
 export type Mark =
   /** The bounds of the drawing. */
   | { readonly kind: "bbox"; readonly ink: Token; readonly dash: true; readonly box: Box }
-  /** Where a shape begins, which way it is cut, on which side of it. */
+  /** Start of a shape, its direction, and the side on which it is cut. */
   | {
       readonly kind: "start";
       readonly ink: Token;
@@ -61,7 +61,7 @@ export const pictureOf = (scene: Scene): Picture => {
   };
 };
 
-/** Whether a shape is left out: its group is off, and such groups are not shown. */
+/** Tells whether a shape is left out: its group is off, and such groups are not shown. */
 export const hidden = (scene: Pick<Scene, "off" | "options">, { group }: Shape): boolean =>
   scene.off.has(group) && !scene.options.offDashed;
 

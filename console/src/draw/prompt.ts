@@ -1,4 +1,4 @@
-/** What the line below the drawing says. */
+/** Words of the line below the drawing. */
 
 import { t } from "../words/words";
 import type { DeskState } from "./desk";

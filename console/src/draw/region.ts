@@ -1,4 +1,4 @@
-/** Which shapes a region means: those wholly inside, or also those it touches. */
+/** Finds the shapes of a region: those wholly inside, or also those it touches. */
 
 import { meetings } from "./geometry/segment";
 import type { Shape } from "./geometry/shape";

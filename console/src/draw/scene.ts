@@ -1,4 +1,4 @@
-/** What the canvas shows, made from what the server tells. */
+/** Scene of the canvas, made from the server's snapshot. */
 
 import { type DigitizedItem, digitizedItem } from "../digitize/points";
 import type { Digitized, DrawingState, ShapeList, ToolPaths } from "../wire/messages";
@@ -30,7 +30,7 @@ export interface CutPath {
   readonly pass: "rough" | "final" | "traversal";
 }
 
-/** What the drawing becomes when it is machined, and what was noticed on the way. */
+/** Tool paths of the drawing as it is machined, with the notes made on the way. */
 export interface Machined {
   readonly paths: readonly CutPath[];
   readonly smoothed: readonly Shape[];

@@ -91,7 +91,7 @@ function midpoint(pieces: readonly Piece[], at: Place, radius: number): Place[] 
   return nearest ? [placeAt(nearest, 0.5)] : [];
 }
 
-/** Where segments meet; neighbours of one shape meet in their vertex, which is no crossing. */
+/** Places at which segments cross; neighbours of one shape meet in their vertex, which is no crossing. */
 function crossings(pieces: readonly Piece[]): Place[] {
   return pieces.flatMap((a, n) =>
     pieces.slice(n + 1).flatMap((b) => {

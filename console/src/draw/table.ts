@@ -8,16 +8,16 @@ export type TableItem =
   | { readonly kind: "home" | "origin" | "finish" | "tool"; readonly at: Place };
 
 export interface OnTable {
-  /** How far X and Y reach from home; 0 is without bounds. */
+  /** Distance that X and Y reach from home; 0 is without bounds. */
   readonly reach: Setup["reach"];
-  /** Where the drawing's origin lies. */
+  /** Place of the drawing's origin. */
   readonly origin: Place;
-  /** Where the head goes at the end, from the origin. */
+  /** Place to which the head goes at the end, from the origin. */
   readonly finish: Place;
   readonly tool: Place | null;
 }
 
-/** Where the drawing's origin lies: at the working zero. */
+/** Place of the drawing's origin: the working zero. */
 export function originOf({ at }: Motion): Place {
   const [[x, y], [u, v]] = [at.machine, at.working];
   return place(x - u, y - v);
@@ -44,7 +44,7 @@ export const inDrawing = (items: readonly TableItem[], origin: Place): TableItem
       : { ...item, at: minus(item.at, origin) },
   );
 
-/** How far the axes reach, in the drawing; nothing without bounds. */
+/** Box that the axes reach, in the drawing; nothing without bounds. */
 export function boundsOf(motion: Motion, [x, y]: Setup["reach"]): Box | null {
   const origin = originOf(motion);
   const far = { min: minus(place(0, 0), origin), max: minus(place(x, y), origin) };

@@ -20,7 +20,7 @@ export interface Desk {
   send(clauses: string): void;
 }
 
-/** What the server tells that hands go by. */
+/** Settings of the server that the desk's tools follow. */
 export type Ways = Pick<Around, "pickRadius" | "lastJoin" | "picked" | "expansion">;
 
 /** `fresh` tells that the scene shows the newest shapes. */

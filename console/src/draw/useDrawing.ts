@@ -35,7 +35,7 @@ export function useShapes(): { loaded: Loaded; fresh: boolean } {
   return { loaded, fresh };
 }
 
-/** What the drawing becomes when it is machined, where that is wanted. */
+/** Fetches the tool paths of the drawing as it is machined, where they are wanted. */
 export function useMachined(wanted: boolean): Machined {
   const revision = useSnapshot("drawing")?.revision;
   const setup = useSnapshot("setup");

@@ -21,7 +21,7 @@ import { markRunning, runningLineMark } from "./running";
 
 export interface CodeEditorProps {
   name: string;
-  /** What stands in it at first. */
+  /** Text with which it opens. */
   text: Text;
   /** The line that runs; 0 when none does. */
   running: number;
@@ -70,7 +70,7 @@ function showLine(view: EditorView, line: number): void {
   view.focus();
 }
 
-/** What allows the style sheets that the editor makes. */
+/** Nonce that allows the style sheets which the editor makes. */
 const nonceOfPage = (): string =>
   document.querySelector<HTMLMetaElement>('meta[property="csp-nonce"]')?.nonce ?? "";
 

@@ -18,7 +18,7 @@ import { NotSaved } from "./NotSaved";
 import { SaveAs } from "./SaveAs";
 import { useEdited } from "./useEdited";
 
-/** What was found in the whole file when it was opened; nothing where the text is not that of the file. */
+/** Findings in the whole file from its opening; nothing where the text is not that of the file. */
 function savedFindings(open: Opened | null | undefined, { name }: EditedFile) {
   return open?.name === name && open?.preview.state === "ready" ? open.findings : null;
 }

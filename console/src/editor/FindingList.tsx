@@ -14,7 +14,7 @@ interface FindingListProps {
   onShow: (place: Spot) => void;
 }
 
-/** What is wrong with the text, for those who do not hover; and whether all of it was looked at. */
+/** Lists the findings in the text, for those who do not hover; and says if all of it was looked at. */
 export function FindingList({ check, file, onShow }: FindingListProps) {
   const words = useWords();
   return (

@@ -16,7 +16,7 @@ import { longest } from "./document";
 import { type At, checkText, completionsAt, hoverAt } from "./language";
 import { checksOfLines } from "./lineChecks";
 
-/** How long a person has to pause before the text is checked, milliseconds. */
+/** Pause in typing after which the text is checked, milliseconds. */
 export const checkAfterMs = 350;
 
 const grown =

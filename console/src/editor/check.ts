@@ -11,7 +11,7 @@ export type Check =
 
 export const checking: Check = { is: "checking" };
 
-/** What became of a check that did not come to its end. */
+/** Result of a check that did not come to its end. */
 export const unchecked = (error: unknown): Check => ({
   is: "unchecked",
   why: error instanceof Error ? error.message : String(error),

@@ -16,7 +16,7 @@ export interface EditedFile {
   readonly typed: ChangeSet;
   /** Those of them since it was last given to be saved. */
   readonly since: ChangeSet;
-  /** What ends its lines; in here it is a line feed. */
+  /** Line end of the file; in here it is a line feed. */
   readonly ends: LineEnd;
   /** The hash of the file as it was read or saved; a new one has none. */
   readonly hash: string;

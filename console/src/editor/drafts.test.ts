@@ -3,7 +3,7 @@ import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { draftOf, edited, newFile } from "./document";
 import { DraftKeeper } from "./drafts";
 
-/** What went to the server: the method and the text, or the address of what ended. */
+/** Requests to the server: the method and the text, or the address of a draft that ended. */
 let sent: string[];
 let refuses: boolean;
 

@@ -1,4 +1,4 @@
-/** What is typed and not saved goes to the server soon after it was typed. */
+/** Sends typed and unsaved text to the server soon after it was typed. */
 
 import { endDraft, keepDraft } from "../link/http";
 import type { TextDraft } from "../wire/messages";
@@ -13,7 +13,7 @@ const againMs = 1000;
 /** So long another file waits for what was typed into the one before. */
 const patienceMs = 1500;
 
-/** What may be sent while a page goes has to be short, bytes. */
+/** Most bytes that may be sent while a page goes. */
 const mostAtEnd = 60_000;
 
 /** Bytes of what is told of a draft's text, about. */
@@ -39,7 +39,7 @@ export class DraftKeeper {
   readonly #shared = new Set<string>();
   /** Called where one more is. */
   onShared: () => void = () => undefined;
-  /** What is still to be done for each file: the draft to be kept, or nothing where it has ended. */
+  /** Work left for each file: the draft to be kept, or nothing where it has ended. */
   readonly #wanted = new Map<string, TextDraft | null>();
   #works: Promise<void> | null = null;
   #told = false;
@@ -79,7 +79,7 @@ export class DraftKeeper {
     return Promise.race([this.#rest(), pause(patienceMs)]);
   }
 
-  /** What was typed into a file and is not at the server yet. */
+  /** Draft of a file that is not at the server yet. */
   waiting(name: string): TextDraft | undefined {
     return this.#wanted.get(name) ?? undefined;
   }
@@ -140,7 +140,7 @@ const pause = (ms: number) => new Promise<void>((resolve) => setTimeout(resolve,
 
 const shownKey = "kerf.edited";
 
-/** What this page edited last, and which file was open then: a reload goes on with it. */
+/** File that this page edited last, and the file that was open then: a reload goes on with it. */
 interface LastEdited {
   readonly name: string;
   readonly opened: string;

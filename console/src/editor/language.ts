@@ -1,4 +1,4 @@
-/** What the server knows about a text: mistakes, completions, words under the pointer. */
+/** Asks the server about a text: mistakes, completions, words under the pointer. */
 
 import { postJson } from "../link/http";
 import type { Checked, Hover, Completion as Offered } from "../wire/messages";

@@ -1,4 +1,4 @@
-/** How the editor looks: the design tokens of the page. */
+/** Theme of the editor: the design tokens of the page. */
 
 import { HighlightStyle, syntaxHighlighting } from "@codemirror/language";
 import { EditorView } from "@codemirror/view";

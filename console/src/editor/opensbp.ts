@@ -3,7 +3,7 @@
 import { StreamLanguage, type StreamParser, type StringStream } from "@codemirror/language";
 
 interface LineState {
-  /** Whether nothing of the line was read yet. */
+  /** True as long as nothing of the line was read. */
   start: boolean;
 }
 

@@ -3,7 +3,7 @@
 import { t } from "../words/words";
 
 export interface ConsoleKey {
-  /** What the server knows it by. */
+  /** Name by which the server knows it. */
   readonly key: string;
   readonly label: string;
   /** Its name, where the label is a sign. */

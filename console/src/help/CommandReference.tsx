@@ -3,7 +3,7 @@ import { useCommands } from "../command/table";
 import { Field } from "../ui/Field";
 import type { CommandEntry } from "../wire/messages";
 
-/** What every command does, from the table of commands. */
+/** Reference of every command, from the table of commands. */
 export function CommandReference() {
   const table = useCommands();
   const [wanted, setWanted] = useState("");

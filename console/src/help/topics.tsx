@@ -201,7 +201,7 @@ function Troubleshooting() {
   );
 }
 
-/** What the server has on record for whoever helps. */
+/** Fetches the server's record of problems, for whoever helps. */
 function useProblems(): string | null {
   const { screen } = useHands();
   const [text, setText] = useState<string | null>(null);
@@ -211,7 +211,7 @@ function useProblems(): string | null {
   return text;
 }
 
-/** What whoever helps has to know, to be sent by the person himself. */
+/** Report for whoever helps, to be sent by the person himself. */
 function AskForHelp() {
   const told = useProblems();
   if (told === null) return <p>{t("Reading…")}</p>;

@@ -18,7 +18,7 @@ const yesNo = [
   { value: "no", words: "No" },
 ] as const;
 
-/** What the job is cut with: looked at, and changed, before the start. */
+/** Settings with which the job is cut: to be read, and changed, before the start. */
 export function CutPanel({ plan }: { plan: Plan }) {
   const hands = useHands();
   const units = useSnapshot("units");
@@ -94,7 +94,7 @@ function NotHomed() {
   );
 }
 
-/** Where the job lies on the table. */
+/** Place of the job on the table. */
 function Origin({ plan, busy }: { plan: Plan; busy: string | undefined }) {
   const hands = useHands();
   const units = useSnapshot("units");

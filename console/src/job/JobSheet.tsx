@@ -165,7 +165,7 @@ function Canvases({ plan, standing, window, size, hover, points }: CanvasesProps
   );
 }
 
-/** How far the axes reach, from the job's origin; nothing without bounds. */
+/** Box that the axes reach, from the job's origin; nothing without bounds. */
 function boundsOf({ view }: Pick<Plan, "view">): Box | null {
   const [[x0, y0], [[left, right], [bottom, top]]] = [view.origin, view.table];
   const box = { min: place(left - x0, bottom - y0), max: place(right - x0, top - y0) };
@@ -199,7 +199,7 @@ function Legend({ plan }: { plan: Plan }) {
   );
 }
 
-/** What lies under the pointer. */
+/** Describes the path under the pointer. */
 function HoverWords({ plan, number }: { plan: Plan; number: number | null }) {
   const units = useSnapshot("units");
   const path = plan.paths[(number ?? 0) - 1];

@@ -134,7 +134,7 @@ function Comments() {
   ) : null;
 }
 
-/** What is wrong with the job, before it is started. */
+/** Lists the findings of the job, before it is started. */
 function Findings() {
   const words = useWords();
   const findings = useSnapshot("opened")?.findings ?? [];

@@ -1,4 +1,4 @@
-/** What is done with the job that is open. */
+/** Actions on the job that is open. */
 
 import type { World } from "../actions/action";
 import { ask } from "../actions/ask";

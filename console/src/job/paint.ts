@@ -45,7 +45,7 @@ function traceOne(path: Path2D, shape: Shape, { window }: Sheet): void {
   else tracePoint(path, shape, 4 * window.mmPerPixel);
 }
 
-/** What changes while it runs: done, running, chosen, under the pointer. */
+/** Paints what changes while it runs: done, running, chosen, under the pointer. */
 export function paintProgress(
   sheet: Sheet,
   plan: Plan,

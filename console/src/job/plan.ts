@@ -50,7 +50,7 @@ export function pathAt({ picking }: Plan, at: Place, radius: number): number | n
   return nearest?.number ?? null;
 }
 
-/** Where a job stands: the path that is made, and the one with which it begins. */
+/** Progress of a job: the path that is made, and the one with which it begins. */
 export interface Standing {
   readonly runs: boolean;
   /** The path that is made, or was made last; 0 before the first. */
@@ -62,7 +62,7 @@ export interface Standing {
 
 export type Share = "skipped" | "waiting" | "running" | "done";
 
-/** What has become of a path. */
+/** Tells if a path is skipped, done, running or still to come. */
 export function shareOf(number: number, { runs, at, start, finished }: Standing): Share {
   if (number < start) return "skipped";
   if (finished) return "done";
@@ -70,7 +70,7 @@ export function shareOf(number: number, { runs, at, start, finished }: Standing)
   return number === at ? "running" : "done";
 }
 
-/** Where the open job stands by what the server tells. */
+/** Progress of the open job, by the server's snapshot. */
 export function standingOf(snapshot: Snapshot | null, plan: Plan | null): Standing {
   const { job, motion, opened } = snapshot ?? {};
   const mine = job?.hash !== null && job?.hash === opened?.hash;
@@ -82,7 +82,7 @@ export function standingOf(snapshot: Snapshot | null, plan: Plan | null): Standi
   };
 }
 
-/** Where the tool is, from the job's origin. */
+/** Place of the tool, from the job's origin. */
 export function toolPlace(snapshot: Snapshot | null, plan: Plan | null): Place | null {
   const at = snapshot?.motion.at.machine;
   const [x, y] = plan?.view.origin ?? [0, 0];

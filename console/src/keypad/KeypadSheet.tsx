@@ -19,7 +19,7 @@ import { recorded } from "./record";
 import { useJog } from "./useJog";
 import { useMayMove } from "./useMayMove";
 
-/** What else moves the tool (VD, keypad remote). */
+/** Words for other devices that move the tool, too (VD, keypad remote). */
 const otherHands: Record<number, string> = {
   1: t("The keys of a pendant on the inputs move the tool, too."),
   2: t("Another program moves the tool, too, once it has taken control."),
@@ -27,7 +27,7 @@ const otherHands: Record<number, string> = {
 
 /** The keypad (SK): moves the tool for as long as a key or button is held. */
 interface KeypadSheetProps {
-  /** What a part file says that opened it. */
+  /** Words of the part file that opened it. */
   words?: string;
   onClose: () => void;
 }

@@ -14,13 +14,13 @@ import type { Direction } from "./keys";
 
 type Jog = Extract<Act, { do: "jogStart" | "jogRenew" | "jogStop" | "key" }>;
 
-/** What begins a jog, under this number of the lease and of the jog, at this time of the server. */
+/** Begins a jog, under this number of the lease and of the jog, at this time of the server. */
 type Begin = (lease: number, seq: number, clockMs: number) => Jog;
 
 /** Jogs of this page so far: its hands never use a number twice. */
 let jogs = 0;
 
-/** How often a jog is renewed, milliseconds; the machine goes on until the newest sign is 250 old. */
+/** Interval at which a jog is renewed, milliseconds; the machine goes on until the newest sign is 250 old. */
 export const renewEveryMs = 50;
 
 export interface JogWish {

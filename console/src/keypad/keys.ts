@@ -1,4 +1,4 @@
-/** What the keys of the keypad mean (SK). */
+/** Meanings of the keypad's keys (SK). */
 
 import { t } from "../words/words";
 
@@ -57,7 +57,7 @@ export function wayOfKey(key: string, alt: boolean): Way | undefined {
   return alt ? (withAlt[key] ?? plain[key]) : plain[key];
 }
 
-/** What the keys mean, for the list of the keypad. */
+/** Keys and their meanings, for the list of the keypad. */
 export const keyHelp: readonly { readonly keys: string; readonly means: string }[] = [
   { keys: "← →", means: "X" },
   { keys: "↑ ↓", means: "Y" },

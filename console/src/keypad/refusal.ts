@@ -1,4 +1,4 @@
-/** Why the tool cannot be moved by hand. */
+/** Tells why the tool cannot be moved by hand. */
 
 import type { Shown } from "../link/shown";
 import { t } from "../words/words";

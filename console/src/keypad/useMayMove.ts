@@ -5,7 +5,7 @@ import { refusal } from "./refusal";
 const slowMs = 150;
 
 export interface MayMove {
-  /** Why the keypad does not move; nothing when it does. */
+  /** Reason that the keypad does not move; nothing when it does. */
   readonly refused: string | undefined;
   /** Only fixed distances: the link is slow. */
   readonly onlySteps: boolean;

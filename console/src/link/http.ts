@@ -1,4 +1,4 @@
-/** What comes over HTTP and not over the socket: files, tool paths, the table of commands. */
+/** Fetches over HTTP what does not come over the socket: files, tool paths, the table of commands. */
 
 import type { Problem, TextDraft } from "../wire/messages";
 import { t } from "../words/words";
@@ -87,7 +87,7 @@ export const fileAddress = (name: string): string => `/api/files/${encoded(name)
 /** The address of a sound. */
 export const soundAddress = (name: string): string => `/api/media/${encoded(name)}`;
 
-/** What a file holds, and the hash that says which content it was. */
+/** Text of a file, and the hash of that content. */
 export interface Content {
   readonly text: string;
   readonly hash: string;

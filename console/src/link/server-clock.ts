@@ -23,7 +23,7 @@ export class ServerClock {
     [this.#lowMs, this.#highMs] = lowMs <= highMs ? [lowMs, highMs] : [low, high];
   }
 
-  /** How far the server's clock is ahead of this page's, milliseconds; nothing before the first ping. */
+  /** Lead of the server's clock over this page's, milliseconds; nothing before the first ping. */
   get aheadMs(): number | null {
     return Number.isFinite(this.#lowMs) ? (this.#lowMs + this.#highMs) / 2 : null;
   }

@@ -1,4 +1,4 @@
-/** What the page knows of the server: the last snapshot and how the link is. */
+/** State of the server as the page knows it: the last snapshot and the quality of the link. */
 
 import type { Snapshot, Who } from "../wire/messages";
 
@@ -12,9 +12,9 @@ export interface Shown {
   readonly snapshot: Snapshot | null;
   /** The wait of this page in words, when it takes longer than a moment. */
   readonly waitsFor: string | null;
-  /** How long the last ping took, milliseconds. */
+  /** Duration of the last ping, milliseconds. */
   readonly roundTripMs: number | null;
-  /** How far the server's clock is ahead of this page's, milliseconds. */
+  /** Lead of the server's clock over this page's, milliseconds. */
   readonly aheadMs: number | null;
 }
 

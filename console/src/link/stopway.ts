@@ -10,7 +10,7 @@ import type { Act, Reply, Request, ToPage } from "../wire/messages";
 const firstRetryMs = 500;
 const lastRetryMs = 8000;
 
-/** Whether an act does nothing but stop: it is pressed on both ways. */
+/** Tells whether an act does nothing but stop: it is sent on both ways. */
 export const onlyStops = (act: Act): boolean =>
   act.do === "stop" || act.do === "hold" || act.do === "disarm" || act.do === "jogStop";
 

@@ -5,7 +5,7 @@ import { ActionButton } from "../ui/ActionButton";
 import { t } from "../words/words";
 import "./goes-on.css";
 
-/** What this page lacks for an answer after which the machine goes on. */
+/** Right or state that this page lacks for an answer after which the machine goes on. */
 export type Lacks = "control" | "arming";
 
 /** An answer after which the machine goes on counts from whoever drives it, armed unless what runs is only drawn. */

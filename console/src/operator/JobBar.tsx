@@ -11,7 +11,7 @@ import { errorsOf, fileStatus, progressOf } from "./fileStatus";
 import { MachineOverrides } from "./MachineOverrides";
 import "./job-bar.css";
 
-/** How far the job is, how long it takes, and what starts it. */
+/** Shows the progress of the job and its time, with the buttons that start it. */
 export function JobBar() {
   return (
     <section className="job panel" aria-label={t("Job")}>
@@ -67,7 +67,7 @@ function Progress() {
   );
 }
 
-/** How the open file stands; where it has mistakes, a way to them. */
+/** Shows the status of the open file; where it has mistakes, a way to them. */
 function Status() {
   const { screen } = useHands();
   const snapshot = useShown((shown) => shown.snapshot);

@@ -68,7 +68,7 @@ export function Listing({ name, hash, lines, running }: ListingProps) {
   );
 }
 
-/** How far the first line in sight is scrolled out of it. */
+/** Height of the first line in sight that is scrolled out of it, pixels. */
 const offsetOf = (top: number): number => top % lineHeight;
 
 const lineClass = (n: number, running: number): string =>

@@ -12,7 +12,7 @@ import { t } from "../words/words";
 import { type Frame, framesOf, placeIn, titles } from "./frames";
 import "./location-display.css";
 
-/** Where the tool is, in digits that are read from two metres away. */
+/** Shows the location of the tool, in digits that are read from two metres away. */
 export function LocationDisplay() {
   const [wanted, setFrame] = useState<Frame | null>(null);
   const units = useSnapshot("units");

@@ -21,7 +21,7 @@ export function MessageWindow() {
   return <Opened key={display.message.join()} display={display} onClose={() => setOpen(false)} />;
 }
 
-/** What the program said: its comments, when they are wanted, and what it printed. */
+/** Messages of the program: its comments, when they are wanted, and its printed lines. */
 function useSaid(comments: boolean): { lines: readonly string[]; printed: number; notes: number } {
   const printed = useSnapshot("printed") ?? [];
   const messages = useSnapshot("messages") ?? [];

@@ -53,7 +53,7 @@ const distances = [
   { value: "relative", words: "Relative", action: relative },
 ] as const;
 
-/** Whether numbers of moves are places or distances. */
+/** Switches the numbers of moves between places and distances. */
 function DistanceMode({ absolute: on }: { absolute: boolean }) {
   const hands = useHands();
   const ready = useShown((shown) => shown.snapshot?.machine.state === "idle");

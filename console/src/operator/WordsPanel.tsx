@@ -21,7 +21,7 @@ const kinds: readonly { value: Kind; words: string }[] = [
   { value: "notes", words: "File" },
 ];
 
-/** What the program and the machine say. */
+/** Shows the messages of the program and of the machine. */
 export function WordsPanel() {
   // What keeps the file from running comes first, until somebody looks for something else.
   const opened = useSnapshot("opened");
@@ -92,7 +92,7 @@ function Printed() {
   );
 }
 
-/** What the head of the file tells, and what is wrong with it. */
+/** Shows the facts in the head of the file, and the findings in it. */
 function FileNotes() {
   const { screen } = useHands();
   const words = useWords();

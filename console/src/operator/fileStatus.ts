@@ -1,4 +1,4 @@
-/** How the open file stands, and how far what runs is: what is told beside its name. */
+/** Status of the open file and progress of the run, as they stand beside its name. */
 
 import { endWord } from "../app/endWords";
 import type { Spot } from "../app/screen";
@@ -12,17 +12,17 @@ import { toolLine } from "./toolLine";
 export interface FileStatus {
   readonly words: string;
   readonly look: "plain" | "warning" | "error";
-  /** Where that is mended. */
+  /** Place at which that is mended. */
   readonly place?: Spot | undefined;
 }
 
 type Told = Pick<Snapshot, "opened" | "job" | "interrupted" | "machine" | "motion" | "asked">;
 
-/** Whether a job is under way. */
+/** Tells whether a job is under way. */
 export const isUnderWay = (job: CurrentRun | null): job is CurrentRun & { ended: null } =>
   job !== null && job.ended === null;
 
-/** Whether what runs, or ran last, is the file that is open. */
+/** Tells whether the run under way, or the last one, is of the open file. */
 const isOpenFile = ({ job, opened }: Told): boolean =>
   job !== null && job.hash !== null && job.hash === opened?.hash;
 
@@ -55,7 +55,7 @@ export function mistakesText(opened: Opened): string {
 const plain = (words: string): FileStatus => ({ words, look: "plain" });
 const warning = (words: string, place?: Spot): FileStatus => ({ words, look: "warning", place });
 
-/** How a run of the open file that is under way stands. */
+/** Words for the state of a run of the open file that is under way. */
 const running: Partial<Record<State, string>> = {
   held: t("held"),
   asking: t("waits for an answer"),
@@ -65,14 +65,14 @@ const running: Partial<Record<State, string>> = {
 const runsText = ({ fromCard }: CurrentRun): string =>
   fromCard ? t("runs from the controller's card") : t("running");
 
-/** How a run ended that belongs to no open file. */
+/** Words for the end of a run that belongs to no open file. */
 const outcomes: Record<string, string> = {
   ok: t("finished"),
   ended: t("ended by itself"),
   limit: t("ended at a limit"),
 };
 
-/** How what runs stands, else the file that is open; where none is, what ran last. */
+/** Status of the run under way, else of the open file; where none is open, of the last run. */
 export function fileStatus(told: Told, now = new Date()): FileStatus {
   const { opened, job, machine, interrupted } = told;
   if (isUnderWay(job)) {
@@ -152,11 +152,11 @@ function timeText(then: Date, now: Date): string {
 }
 
 export interface RunProgress {
-  /** What runs, or what is open. */
+  /** Name of the file that runs, or that is open. */
   readonly name: string;
-  /** How far it is, 0 … 1; nothing where no plan says. */
+  /** Progress, 0 … 1; nothing where no plan says. */
   readonly part: number | undefined;
-  /** What the seconds are. */
+  /** Meaning of the seconds. */
   readonly words: "left" | "planned";
   /** Nothing where no plan says. */
   readonly seconds: Seconds | undefined;
@@ -164,7 +164,7 @@ export interface RunProgress {
   readonly spent: string | undefined;
 }
 
-/** How far what runs is; else the file that is open, as far as it was made last. */
+/** Progress of the run under way; else of the open file, as far as it was made last. */
 export function progressOf(told: Told): RunProgress {
   const { opened, job, motion } = told;
   const ran = job && (job.command ?? job.file);

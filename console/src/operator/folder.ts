@@ -10,7 +10,7 @@ export const parentOf = (folder: string): string => folder.split("/").slice(0, -
 /** The file of sample answers beside a program. */
 export const answersOf = (file: string): string => `${file}.answers`;
 
-/** Whether a name matches a mask as the file commands have it: `*.sbp`, `a?.nc`, or part of a name. */
+/** Tells whether a name matches a mask as the file commands have it: `*.sbp`, `a?.nc`, or part of a name. */
 export function matches(name: string, mask: string): boolean {
   const wanted = mask.trim().toLowerCase();
   if (!/[*?]/.test(wanted)) return name.toLowerCase().includes(wanted);

@@ -11,7 +11,7 @@ const batch = 20_000;
 
 export interface LineIndex {
   readonly bytes: Uint8Array<ArrayBuffer>;
-  /** Where each line begins; one more for the end. */
+  /** Offset at which each line begins; one more for the end. */
   readonly starts: Uint32Array<ArrayBuffer>;
 }
 

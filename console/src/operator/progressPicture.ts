@@ -5,10 +5,10 @@ import { cut } from "../view/piece";
 import type { ToolPath } from "../view/toolPath";
 
 export interface Cuts {
-  /** What is made, and what is left. */
+  /** Paths of the SVG: the part that is made, and the part that is left. */
   readonly made: string;
   readonly left: string;
-  /** How many segments are made. */
+  /** Number of segments that are made. */
   readonly count: number;
 }
 

@@ -12,8 +12,8 @@ export interface ToolLine {
 type Told = Pick<Snapshot, "job" | "asked" | "motion">;
 
 /**
- * Where the tool is in the program: the question it waits with, else the move that it makes or made last.
- * Before the first move the line that is read. Nothing while no program runs.
+ * Line of the program at which the tool is: the question it waits with, else the move that it makes or made
+ * last. Before the first move the line that is read. Nothing while no program runs.
  */
 export function toolLine({ job, asked, motion }: Told): ToolLine | null {
   if (!job || job.ended !== null) return null;

@@ -15,12 +15,12 @@ const words: Record<Aside, string> = {
 };
 
 interface Asides {
-  /** What was begun; it lies in the place of the question until it is closed. */
+  /** Sheet of the work that was begun; it lies in the place of the question until it is closed. */
   readonly sheet: ReactNode | null;
   readonly buttons: ReactNode;
 }
 
-/** What may be done by hand while a job stands and asks, before it goes on at the same place. */
+/** Offers work by hand while a job stands and asks, before it goes on at the same place. */
 export function useAside(offered: readonly Aside[]): Asides {
   const [begun, setBegun] = useState<Aside | null>(null);
   // A switch that stopped the machine has to be let go, on the page where it is moved there.

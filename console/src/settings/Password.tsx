@@ -7,7 +7,7 @@ import { Panel } from "../ui/Panel";
 import type { Act } from "../wire/messages";
 import { t } from "../words/words";
 
-/** Who may change settings: everybody, or whoever knows the password. */
+/** Lets everybody change settings, or only who knows the password. */
 export function Password() {
   const locked = useSnapshot("setup")?.protected ?? false;
   return (

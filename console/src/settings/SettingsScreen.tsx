@@ -18,7 +18,7 @@ import "./settings.css";
 import { SheetsAppearChoice } from "./SheetsAppearChoice";
 import { useSettings } from "./useSettings";
 
-/** How this browser shows things, who may connect, and the settings of the machine. */
+/** Settings of this browser, of who may connect, and of the machine. */
 export function SettingsScreen() {
   const areas = useSettings();
   const owner = useShown((shown) => shown.who?.role === "owner");

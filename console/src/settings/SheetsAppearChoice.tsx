@@ -2,7 +2,7 @@ import { useState } from "react";
 import { appear, setAppear, sheetsAppear } from "../command/preferences";
 import { Choice } from "../ui/Choice";
 
-/** When fill-in sheets appear while a command is typed. */
+/** Chooses when fill-in sheets appear while a command is typed. */
 export function SheetsAppearChoice() {
   const [when, setWhen] = useState(appear);
   return (

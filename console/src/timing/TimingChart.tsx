@@ -101,7 +101,7 @@ const buttons = [
   { words: "All", name: t("All of it"), move: all },
 ] as const;
 
-/** What moves the time, and which stretch is shown. */
+/** Buttons that move the time, and the stretch that is shown. */
 function TimingBar({ span, end, at, onSpan }: TimingBarProps) {
   return (
     <div className="timing-bar" role="toolbar" aria-label={t("Time")}>

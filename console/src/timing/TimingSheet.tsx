@@ -37,7 +37,7 @@ export function TimingSheet({ onClose }: { onClose: () => void }) {
   );
 }
 
-/** What the inputs of the simulated machine do meanwhile. */
+/** Form for the inputs of the simulated machine during the run. */
 function InputsForm({ onInputs }: { onInputs: (inputs: string) => void }) {
   const [text, setText] = useState("");
   return (
@@ -61,7 +61,7 @@ function InputsForm({ onInputs }: { onInputs: (inputs: string) => void }) {
   );
 }
 
-/** What is said where there is no chart. */
+/** Words in place of a missing chart. */
 function wordsFor(
   opened: Opened | null | undefined,
   reading: Reading,

@@ -6,14 +6,14 @@ import { pixelOf, type Span } from "./span";
 
 export type Point = readonly [at: number, value: number];
 
-/** Where a line is drawn: pixels of its row. */
+/** Pixels of a row in which a line is drawn. */
 export interface Box {
   readonly width: number;
   readonly top: number;
   readonly bottom: number;
 }
 
-/** What a line is called on the chart. */
+/** Name of a line on the chart. */
 export const nameOf = ({ kind, name }: Pick<TimingLine, "kind" | "name">): string =>
   kind === "axis" ? name.toUpperCase() : name;
 
@@ -23,7 +23,7 @@ export type Range = readonly [low: number, high: number];
 export const isBit = ({ kind }: Pick<TimingLine, "kind">): boolean =>
   kind === "output" || kind === "input";
 
-/** How many points are at a moment or before. */
+/** Number of points at a moment or before. */
 function before(points: readonly Point[], at: number): number {
   let [low, high] = [0, points.length];
   while (low < high) {
@@ -34,7 +34,7 @@ function before(points: readonly Point[], at: number): number {
   return low;
 }
 
-/** What a line is at a moment. */
+/** Value of a line at a moment. */
 export function valueAt(line: Pick<TimingLine, "kind" | "points">, at: number): number {
   const { points } = line;
   const next = before(points, at);
@@ -45,7 +45,10 @@ export function valueAt(line: Pick<TimingLine, "kind" | "points">, at: number): 
   return a[1] + ((b[1] - a[1]) * (at - a[0])) / (b[0] - a[0]);
 }
 
-/** How far before its beginning an edge still belongs to a span: one at zero is at its very beginning. */
+/**
+ * Time by which an edge may lie before a span and still belong to it, seconds: one at zero is at its very
+ * beginning.
+ */
 const slack = 1e-9;
 
 /** The edges of a bit that are shown. */
@@ -91,13 +94,13 @@ export function rangeOf({ kind, points }: Pick<TimingLine, "kind" | "points">): 
   return spread([starts ?? 0, ...points.map(([, value]) => value)]);
 }
 
-/** How values are drawn: what is least at the bottom of its row, what is greatest at the top. */
+/** Gives the height at which a value is drawn: the least at the bottom of its row, the greatest at the top. */
 export const heightOf = ([low, high]: Range, { top, bottom }: Box) => {
   const tall = Math.max(high - low, 1e-9);
   return (value: number) => bottom - ((value - low) / tall) * (bottom - top);
 };
 
-/** What changes in steps: it holds until the next. */
+/** Path of a line that changes in steps: a value holds until the next. */
 function stepPath(line: Steps, height: (value: number) => number, span: Span, box: Box): string {
   const { points } = line;
   const begins = points[before(points, span.from - slack) - 1]?.[1] ?? 0;

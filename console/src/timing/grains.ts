@@ -31,7 +31,7 @@ export function rangeAt(line: Line, at: number): Range {
   return spread([...ends, ...within.map(([, value]) => value)]);
 }
 
-/** Where grains are wider than a pixel: bands in which the line is, as a path of an SVG. */
+/** Draws a line whose grains are wider than a pixel: bands in which it lies, as a path of an SVG. */
 export function bandPath(line: Line, range: Range, span: Span, box: Box): string {
   const { grain } = line;
   const wide = (box.width * grain) / (span.to - span.from);
@@ -50,7 +50,7 @@ export function bandPath(line: Line, range: Range, span: Span, box: Box): string
   return path;
 }
 
-/** What is said of a chart that has such lines. */
+/** Words about a chart that has such lines. */
 export function grainWords(
   lines: readonly Pick<TimingLine, "kind" | "name" | "grain">[],
 ): string | undefined {

@@ -3,7 +3,7 @@
 import { t } from "../words/words";
 import { panned, type Span, whole, zoomed } from "./span";
 
-/** What a key does to the stretch that is shown; `end` is that of the run. */
+/** Moves the stretch that is shown; `end` is that of the run. */
 type Move = (span: Span, end: number) => Span;
 
 const about = (factor: number): Move => {
@@ -29,7 +29,7 @@ const moves: Readonly<Record<string, Move>> = {
   "0": all,
 };
 
-/** Where the cursor goes with Shift and this key; from nowhere it begins in the middle. */
+/** Gives the cursor's new moment for Shift and this key; from nowhere it begins in the middle. */
 export function cursorOfKey(key: string): ((at: number | null, span: Span) => number) | undefined {
   const by = { ArrowLeft: -1, ArrowRight: 1 }[key];
   if (by === undefined) return undefined;
@@ -39,7 +39,7 @@ export function cursorOfKey(key: string): ((at: number | null, span: Span) => nu
   };
 }
 
-/** What this key means, if it means anything. */
+/** Finds the move of a key, if it has one. */
 export const moveOfKey = (key: string): Move | undefined => moves[key];
 
 /** The keys as the help lists them. */

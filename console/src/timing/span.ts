@@ -40,7 +40,7 @@ function held({ from, to }: Span, all: Span): Span {
   return { from: start, to: start + (to - from) };
 }
 
-/** Where a moment is drawn on a chart so wide, pixels. */
+/** Pixel at which a moment is drawn on a chart of that width. */
 export const pixelOf = (span: Span, at: number, width: number): number =>
   ((at - span.from) / (span.to - span.from)) * width;
 

@@ -1,4 +1,4 @@
-/** What a chart keeps: the stretch it shows, and the moment it reads. */
+/** State of a chart: the stretch it shows, and the moment it reads. */
 
 import { type RefObject, useEffect, useState } from "react";
 import { fitted, type Span, whole } from "./span";

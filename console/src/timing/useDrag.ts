@@ -1,7 +1,7 @@
 import { type PointerEvent, type RefObject, useRef } from "react";
 
 interface DragWishes {
-  /** What pixels count from. */
+  /** Element from whose left edge pixels count. */
   plot: RefObject<HTMLElement | null>;
   /** A pointer went so far to the right. */
   onPan: (pixels: number) => void;

@@ -3,7 +3,7 @@ import { getJson, Outdated, Refused } from "../link/http";
 import type { Timing } from "../wire/messages";
 import { t } from "../words/words";
 
-/** What is known of the timing of a file; while it is made anew, what it was before. */
+/** Reading of a file's timing; while it is made anew, it keeps the one before. */
 export type Reading = { readonly of: string | undefined } & (
   | { readonly state: "reading"; readonly before: Timing | undefined }
   | { readonly state: "ready"; readonly timing: Timing }

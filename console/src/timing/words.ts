@@ -8,7 +8,7 @@ import { t } from "../words/words";
 import { nameOf } from "./course";
 import { rangeAt } from "./grains";
 
-/** How values of a line are written. */
+/** Gives the function that writes values of a line. */
 export function readOf({ kind }: Pick<TimingLine, "kind">, unit: LengthUnit) {
   return (value: number): string => {
     if (kind === "axis") return lengthText(mm(value), unit, isMetric(unit) ? 2 : 3);
@@ -17,7 +17,7 @@ export function readOf({ kind }: Pick<TimingLine, "kind">, unit: LengthUnit) {
   };
 }
 
-/** What a line is at a moment; from where to where, as far as that is known. */
+/** Words for a line's value at a moment; for its range, as far as that is known. */
 export function valueWords(line: TimingLine, at: number, unit: LengthUnit): string {
   const [low, high] = rangeAt(line, at).map(readOf(line, unit));
   return low === high ? (low ?? "") : `${low} … ${high}`;
@@ -36,7 +36,7 @@ const unsaid: Readonly<Record<string, string>> = {
   limit: t("it reached a limit"),
 };
 
-/** Why a chart does not show all of a run. */
+/** Tells why a chart does not show all of a run. */
 export function endWords(timing: Timing): string | undefined {
   const { whole, full, finding, status } = timing;
   if (whole) return undefined;

@@ -66,7 +66,7 @@ export function CalculatorSheet({ field }: { field: HTMLInputElement | null }) {
   );
 }
 
-/** What a field is called. */
+/** Name of a field. */
 const nameOf = (field: HTMLInputElement): string =>
   field.labels?.[0]?.querySelector(".hidden-text")?.textContent?.toLowerCase() ??
   field.labels?.[0]?.firstChild?.textContent ??

@@ -55,7 +55,7 @@ export function Palette({ onClose }: { onClose: () => void }) {
   );
 }
 
-/** Whether every word that is wanted stands in the title. */
+/** Tells whether every word that is wanted stands in the title. */
 const named = ({ title }: Action, wanted: string): boolean =>
   wanted
     .toLowerCase()

@@ -15,7 +15,7 @@ const on = modeOf("recorder.on", t("Record (RA)"), "RA");
 const off = modeOf("recorder.off", t("Do not record (RI)"), "RI");
 const empty = modeOf("recorder.empty", t("Empty the list (RZ)"), "RZ");
 
-/** What was typed, to be run again and to be kept as a part file: RA, RI, RP, RR, RS, RZ. */
+/** Lists the recorded commands, to be run again and to be kept as a part file: RA, RI, RP, RR, RS, RZ. */
 export function RecorderSheet({ onClose }: { onClose: () => void }) {
   const hands = useHands();
   const recorder = useSnapshot("recorder");

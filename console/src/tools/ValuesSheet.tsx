@@ -21,7 +21,7 @@ const kinds: readonly { value: Kind; words: string }[] = [
   { value: "system", words: "System" },
 ];
 
-/** What the machine remembers: user variables, system variables, settings. */
+/** Shows the machine's memory: user variables, system variables, settings. */
 export function ValuesSheet({ first, onClose }: { first?: Kind | undefined; onClose: () => void }) {
   const values = useValues();
   // With the units that are set now.

@@ -12,7 +12,7 @@ import { t } from "../words/words";
 
 const none: readonly FileVersion[] = [];
 
-/** What a file was before its last saves, and the way back to each. */
+/** Lists the versions of a file from before its last saves, with the way back to each. */
 export function VersionsSheet({ name, onClose }: { name: string; onClose: () => void }) {
   const hands = useHands();
   const opened = useSnapshot("opened")?.name;

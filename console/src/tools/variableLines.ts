@@ -11,7 +11,7 @@ export const linesOf = (variables: readonly NamedValue[]): string =>
 
 const plain = (line: string): string => line.trim();
 
-/** What has to be carried out: lines that were not there before. */
+/** Lines that have to be carried out: those that were not there before. */
 export function changedLines(before: string, after: string): string {
   const kept = new Set(before.split("\n").map(plain));
   return after

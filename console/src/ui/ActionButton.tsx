@@ -8,7 +8,7 @@ import { Button, type ButtonProps } from "./Button";
 interface ActionButtonProps
   extends Omit<ButtonProps, "children" | "onPress" | "refused" | "onRefused"> {
   action: Action;
-  /** What stands on it instead of the action's title. */
+  /** Content of the button in place of the action's title. */
   children?: ReactNode;
 }
 

@@ -6,7 +6,7 @@ import { t } from "../words/words";
 import "./button.css";
 
 export interface ButtonProps extends Omit<AriaProps, "isDisabled"> {
-  /** What pressing it means: `go` starts, `hold` pauses, `plain` is everything else. */
+  /** Meaning of a press: `go` starts, `hold` pauses, `plain` is everything else. */
   look?: "plain" | "go" | "hold" | "quiet" | "primary";
   size?: "normal" | "large" | "small";
   /** The reason for which it cannot be pressed now: it is greyed, and says so to a hand that tries. Nothing when it can. */

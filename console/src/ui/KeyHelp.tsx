@@ -1,4 +1,4 @@
-/** What keys do, in a list; `look` is its class. */
+/** Lists keys with their meanings; `look` is the class of the list. */
 export function KeyHelp({ keys, look }: { keys: readonly KeyMeaning[]; look: string }) {
   return (
     <dl className={look}>

@@ -18,7 +18,7 @@ interface SheetProps {
 }
 
 /**
- * What lies over a screen. It covers the screen, never the strip with STOP: the screen behind is
+ * Sheet that lies over a screen. It covers the screen, never the strip with STOP: the screen behind is
  * inert, so that Tab goes between the sheet and the strip only.
  */
 export function Sheet(props: SheetProps) {

@@ -6,7 +6,7 @@ import { difference, isMetric, type Mm } from "../units/quantity";
 import type { PreviewInfo, Units } from "../wire/messages";
 import { t } from "../words/words";
 
-/** How far the cuts reach, in working locations, and how long all of it takes. */
+/** Shows the extents of the cuts, in working locations, and the time of the whole. */
 export function PathFacts({ info, units }: { info: PreviewInfo; units: Units }) {
   const reach = (n: 0 | 1 | 2): string => {
     if (!info.bounds) return "–";

@@ -154,7 +154,7 @@ interface PathWordsProps {
   recorded: Recorded | undefined;
 }
 
-/** What is said where there is no picture yet. */
+/** Words in place of a missing picture. */
 function PathWords(props: PathWordsProps) {
   const { screen } = useHands();
   const inUnits = useWords();
@@ -207,7 +207,7 @@ const minus = (place: readonly number[], origin: Vec3): Vec3 => [
   (place[2] ?? 0) - origin[2],
 ];
 
-/** What is to be in the picture: the cuts, else the table. Relative to the preview's origin. */
+/** Bounds of the picture: the cuts, else the table. Relative to the preview's origin. */
 function boundsOf(info: PreviewInfo): Bounds {
   const relative = (place: readonly number[]): Vec3 => minus(place, info.origin);
   if (info.bounds) return { min: relative(info.bounds[0]), max: relative(info.bounds[1]) };

@@ -81,7 +81,7 @@ function useScene(host: React.RefObject<HTMLDivElement | null>) {
 const baredWords = ({ area, min, max }: Bared): string =>
   [area, max[0] - min[0], max[1] - min[1]].map((mm) => mm.toFixed(2)).join(" ");
 
-/** What somebody who does not see the picture is told of it. */
+/** Describes the picture for somebody who does not see it. */
 function describe(path: ToolPath | null, typed: number, units: Units | undefined): string {
   if (!path) return typed > 0 ? t("What was typed") : t("No tool path");
   const { moves, cut } = path.info;

@@ -1,5 +1,5 @@
 /**
- * Where the tool path is looked at from: a parallel projection, as in a drawing.
+ * Camera of the tool path: a parallel projection, as in a drawing.
  *
  * Machine millimetres. `tilt` 0 looks straight down on the table, 90° from the front; `yaw` turns the
  * table under the viewer. Pure values: a gesture makes a new one.
@@ -41,7 +41,7 @@ export const aspects: Record<Aspect, { readonly yawRad: number; readonly tiltRad
 const nearest = 1e-4;
 const farthest = 1e3;
 
-/** What lies to the right and upwards in the picture, as directions in the machine. */
+/** Directions in the machine that lie to the right and upwards in the picture. */
 export function axesOf(camera: Camera): { right: Vec3; up: Vec3 } {
   const { yawRad, tiltRad } = camera;
   const [sy, cy, st, ct] = [
@@ -91,7 +91,7 @@ function corners({ min, max }: Bounds): Vec3[] {
   return Array.from({ length: 8 }, (_, n) => [pick(n & 1, 0), pick(n & 2, 1), pick(n & 4, 2)]);
 }
 
-/** How far points reach in a direction. */
+/** Extent of points in a direction. */
 function reach(points: readonly Vec3[], way: Vec3): number {
   const along = points.map((point) => dot(point, way));
   return Math.max(...along) - Math.min(...along);
@@ -114,7 +114,7 @@ export function fit(camera: Camera, bounds: Bounds, size: Size, margin = usualMa
   };
 }
 
-/** Where a place of the machine lies in the picture, pixels from its upper left corner. */
+/** Place in the picture of a place of the machine, pixels from the upper left corner. */
 export function project(camera: Camera, place: Vec3, size: Size): { x: number; y: number } {
   const { right, up } = axesOf(camera);
   const away: Vec3 = along(place, camera.target, -1);

@@ -1,5 +1,5 @@
 /**
- * What pointers do to the picture: one turns or pans it, two pan and zoom.
+ * Gestures of pointers on the picture: one turns or pans it, two pan and zoom.
  *
  * A gesture is a value; a movement of a pointer gives the next one and the change of the camera.
  */

@@ -1,4 +1,4 @@
-/** What is drawn over the tool path: the tool, the working zero, a scale. */
+/** Draws over the tool path: the tool, the working zero, a scale. */
 
 import { inUnit, type LengthUnit, mm, ofUnit, type Shown, shown } from "../units/quantity";
 import { type Camera, project, type Size, type Vec3 } from "./camera";

@@ -8,7 +8,7 @@ export interface Piece {
   readonly segments: number;
   /** X Y Z of `segments + 1` vertices, mm from the origin of the preview. */
   readonly vertices: Float32Array;
-  /** When each segment is over, seconds of planned time. */
+  /** End of each segment, seconds of planned time. */
   readonly over: Float32Array;
   /** The line of the part file that makes it. */
   readonly lines: Uint32Array;

@@ -33,7 +33,7 @@ function shareAt(piece: Piece, n: number, seconds: number): number {
   return until > since ? Math.min(1, Math.max(0, (seconds - since) / (until - since))) : 1;
 }
 
-/** Where the tool is at a moment of planned time, and which line moves it. */
+/** Place of the tool at a moment of planned time, and the line that moves it. */
 export function placeAt(pieces: readonly Piece[], seconds: number): Place | undefined {
   const last = pieces.at(-1);
   const piece = pieces.find(({ over }) => (over.at(-1) ?? 0) >= seconds) ?? last;

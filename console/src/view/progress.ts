@@ -1,4 +1,4 @@
-/** How far the move that is being made has come. */
+/** Share of the current move that is made. */
 
 import type { Vec3 } from "./camera";
 import { cut, type Piece } from "./piece";

@@ -1,5 +1,5 @@
 /**
- * How a field of heights slopes, for its shading.
+ * Slope of a field of heights, for its shading.
  *
  * Cells about a place count too, near ones most: the slope of a wall that follows the grid in steps is that of
  * the curve which was cut, and a round wall shows no stripes.

@@ -18,7 +18,7 @@ export interface StockShape {
   readonly radius: number;
 }
 
-/** Where a stock is cut, seen from above: mm from the origin of the preview. */
+/** Area in which a stock is cut, seen from above: mm from the origin of the preview. */
 export interface Bared {
   /** Square millimetres. */
   readonly area: number;
@@ -48,7 +48,10 @@ export class Stock {
     this.heights = new Float32Array(this.columns * this.rows).fill(shape.top);
   }
 
-  /** What is to be cut away: the path up to a planned time. Anew when it is another path or earlier. */
+  /**
+   * Sets the cut that is to be made: the path up to a planned time. Starts anew for another path or an
+   * earlier time.
+   */
   aim(pieces: readonly Piece[], seconds: number): void {
     if (pieces !== this.#pieces || seconds < this.#until) {
       this.heights.fill(this.shape.top);
@@ -77,7 +80,7 @@ export class Stock {
     return false;
   }
 
-  /** What is cut so far, seen from above; nothing before the first cut. */
+  /** Area that is cut so far, seen from above; nothing before the first cut. */
   bared(): Bared | null {
     const { x, y, top } = this.shape;
     let [cellsCut, left, right, low, high] = [0, this.columns, -1, this.rows, -1];

@@ -13,9 +13,9 @@ const swift = 40_000;
 
 export interface ToolPath {
   readonly info: PreviewInfo;
-  /** What is drawn while the picture moves. */
+  /** Pieces that are drawn while the picture moves. */
   readonly coarse: readonly Piece[];
-  /** Where all of it can be fetched; nothing when the coarse one is all there is. */
+  /** Address of the whole path; nothing when the coarse one is all there is. */
   readonly whole: string | null;
 }
 

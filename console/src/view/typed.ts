@@ -26,7 +26,7 @@ export function grown(path: Typed, key: number, piece: Piece): Typed {
   };
 }
 
-/** What its moves reach; nothing while none is drawn. */
+/** Bounds of its moves; nothing while none is drawn. */
 export function typedBounds({ pieces }: Typed): Bounds | undefined {
   const moves = pieces.flatMap((piece) =>
     Array.from(piece.kinds).flatMap((kind, n) => (kind === gap ? [] : [segment(piece, n)])),
@@ -34,7 +34,7 @@ export function typedBounds({ pieces }: Typed): Bounds | undefined {
   return moves.reduce<Bounds | undefined>((all, one) => around(all, one), undefined);
 }
 
-/** What a segment reaches. */
+/** Bounds of a segment. */
 function segment(piece: Piece, n: number): Bounds {
   const [from, to] = [vertexOf(piece, n), vertexOf(piece, n + 1)];
   return { min: lesser(from, to, Math.min), max: lesser(from, to, Math.max) };

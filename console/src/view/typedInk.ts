@@ -6,7 +6,7 @@ import { vertexOf } from "./place";
 import type { Palette } from "./scene/palette";
 import type { TypedView } from "./useTyped";
 
-/** What is typed, in the frame of the picture. */
+/** Marks of the typed moves, in the frame of the picture. */
 export interface TypedMarks extends TypedView {
   /** The origin of the picture's places: mm, machine frame. */
   readonly origin: Vec3;

@@ -60,7 +60,7 @@ export function useCamera(size: Size) {
   return { camera, aspect, chosen, look, shows, zoomBy, handlers };
 }
 
-/** Where a pointer is in the element that hears it. */
+/** Place of a pointer in the element that hears it. */
 function placeOf(event: PointerEvent): { x: number; y: number } {
   const box = event.currentTarget.getBoundingClientRect();
   return { x: event.clientX - box.left, y: event.clientY - box.top };

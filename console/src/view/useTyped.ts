@@ -9,7 +9,7 @@ export interface TypedView {
   readonly live: readonly Vec3[];
 }
 
-/** What is typed, as it is made. */
+/** Follows the typed moves as they are made. */
 export function useTyped(): TypedView {
   const [following] = useState(() => followTyped());
   const told = useSnapshot("typed");

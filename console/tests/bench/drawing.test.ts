@@ -1,4 +1,4 @@
-/** How long a frame of a large drawing takes: `npm run bench`. */
+/** Measures the time of a frame of a large drawing: `npm run bench`. */
 
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";

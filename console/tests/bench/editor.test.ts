@@ -1,4 +1,4 @@
-/** How soon a part file of 100 MB can be typed into, and how long a key takes: `npm run bench`. */
+/** Measures how soon a part file of 100 MB can be typed into, and the time of a key: `npm run bench`. */
 
 import { afterAll, beforeAll, it } from "vitest";
 import { openWorkshop, type Workshop } from "../browser/workshop";
@@ -20,7 +20,7 @@ const figures: Figure[] = [];
 /** Lines of short moves that are 100 MB together. */
 const moves = 4_000_000;
 
-/** What the page notes of tasks and of what is typed, from its first line on. */
+/** Script by which the page notes tasks and typed text, from its first line on. */
 const notes = `
   window.longest = 0;
   window.keys = [];

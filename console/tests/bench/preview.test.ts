@@ -1,5 +1,5 @@
 /**
- * How soon a large part file is seen, how smoothly it turns and what it costs: `npm run bench`.
+ * Measures how soon a large part file is seen, how smoothly it turns and what it costs: `npm run bench`.
  *
  * Figures are of this computer; without a graphics card its processor draws.
  */
@@ -22,7 +22,7 @@ afterAll(async () => {
 
 const figures: Figure[] = [];
 
-/** What the page notes about itself from its first line on. */
+/** Script by which the page takes notes about itself from its first line on. */
 const notes = `
   window.longest = 0;
   window.tasks = [];
@@ -100,7 +100,7 @@ async function heldByWorkers(session: CDPSession): Promise<number> {
   return (await Promise.all(answers)).reduce((sum, bytes) => sum + bytes, 0);
 }
 
-/** What the page and its workers hold, MB: their objects, and the arrays beside them. */
+/** Memory of the page and its workers, MB: their objects, and the arrays beside them. */
 async function held(session: CDPSession): Promise<number> {
   await session.send("HeapProfiler.collectGarbage");
   const own = sizeOf((await session.send("Runtime.getHeapUsage")) as Heap);

@@ -1,4 +1,4 @@
-/** What every page and the machine showed when a test failed: beside its error in what the run prints. */
+/** Prints the state of every page and of the machine when a test failed, beside its error. */
 
 import type { Page } from "playwright-core";
 import { afterEach } from "vitest";

@@ -1,4 +1,4 @@
-/** What is refused says why and how to mend it: greyed buttons, a page that drives, a program beside it. */
+/** Refusals say why and how to mend it: greyed buttons, a page that drives, a program beside it. */
 
 import { spawn } from "node:child_process";
 import { writeFileSync } from "node:fs";

@@ -1,4 +1,4 @@
-/** What the manuals say of the screens around a job: recorder, messages, preview, help. */
+/** Rows of the manuals about the screens around a job: recorder, messages, preview, help. */
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";

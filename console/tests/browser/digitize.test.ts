@@ -46,7 +46,7 @@ async function record(x: number, y: number): Promise<void> {
   );
 }
 
-/** How many pixels of the sheet have a colour of the theme, or nearly. */
+/** Counts the pixels of the sheet that have a colour of the theme, or nearly. */
 async function inked(token: string): Promise<number> {
   const hex = await page.evaluate(
     (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim(),

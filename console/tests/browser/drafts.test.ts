@@ -1,4 +1,4 @@
-/** What is typed and not saved outlives screens, reloads, tabs and servers. */
+/** Typed and unsaved text outlives screens, reloads, tabs and servers. */
 
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -27,7 +27,7 @@ const shows = (page: Page, line: string) =>
 
 const notSaved = (page: Page) => page.locator(".edit-head h1", { hasText: "not saved" }).waitFor();
 
-/** What may be lost when the server is killed, and a moment for the test. */
+/** Time of typing that may be lost when the server is killed, and a moment for the test, milliseconds. */
 const keptMs = 500;
 
 it("is there after a change of screen, a reload and in another tab", async () => {

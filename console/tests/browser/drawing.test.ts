@@ -17,7 +17,7 @@ interface Listed {
   readonly shapes: readonly { closed: boolean; points: readonly number[] }[];
 }
 
-/** What the server has, to a thousandth. */
+/** Shapes that the server has, to a thousandth. */
 async function shapesOf(page: Page): Promise<number[][]> {
   const list: Listed = await (
     await page.request.get(`${workshop.address}/api/drawing/shapes`)

@@ -1,4 +1,4 @@
-/** What the manual says of files at the console: choosing, editing, what their heads tell. */
+/** Rows of the manual about files at the console: choosing, editing, facts in their heads. */
 
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";

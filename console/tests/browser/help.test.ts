@@ -29,7 +29,7 @@ it("sbp_cmd_ha: version, driver and licence", async () => {
   for (const word of ["Kerf 0.", "simulated", "MIT", "Apache-2.0"]) expect(words).toContain(word);
 });
 
-/** Where the links of a page of the help lead: what this Kerf answers there. */
+/** Follows the links of a page of the help: the status that this Kerf answers to each. */
 async function answers(): Promise<number[]> {
   const links = await page.locator(".help-page a").all();
   const addresses = await Promise.all(links.map((link) => link.getAttribute("href")));

@@ -1,4 +1,4 @@
-/** What ran is on record, what is to be done is on a list, and another program and the browser are told. */
+/** Runs are on record, jobs to be done are on a list, and another program and the browser are told. */
 
 import { writeFileSync } from "node:fs";
 import { createServer, type Server } from "node:http";

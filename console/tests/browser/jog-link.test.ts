@@ -50,13 +50,13 @@ const dead = { copies: 0, afterMs: 0 };
  * computer adds. */
 const mostSeconds = 1;
 
-/** Where X is and whether the machine moves, as the server knows it. */
+/** Location of X and motion of the machine, as the server knows them. */
 async function watched(): Promise<{ x: number; moves: boolean }> {
   const { machine, motion } = await stateOf(workshop);
   return { x: motion.at.working[0], moves: machine.state === "jogging" };
 }
 
-/** What is so when the link becomes bad. */
+/** State of the machine when the link becomes bad. */
 interface Moving {
   readonly x: number;
   readonly speed: number;

@@ -1,4 +1,7 @@
-/** How much of what is typed and drawn is lost when the server is killed at any moment: KERF_KILLS says how often. */
+/**
+ * Kills the server at any moment and measures the loss of typed and drawn work; KERF_KILLS is the number of
+ * kills.
+ */
 
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -10,7 +13,7 @@ import { openWorkshop, script, stateOf, type Workshop } from "./workshop";
 
 const kills = Number(process.env.KERF_KILLS ?? 12);
 
-/** How old the oldest of what is lost was at the kill, ms; 0 where nothing is lost. */
+/** Age of the oldest lost input at the kill, ms; 0 where nothing is lost. */
 const lostMs = (made: readonly number[], kept: number, killed: number): number =>
   kept < made.length ? killed - (made[kept] ?? killed) : 0;
 

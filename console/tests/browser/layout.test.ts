@@ -51,7 +51,7 @@ async function photograph(page: Page, name: string): Promise<void> {
 const wear = (page: Page, theme: string) =>
   page.evaluate((chosen) => document.documentElement.setAttribute("data-theme", chosen), theme);
 
-/** What lies wrong on a page, in every theme. */
+/** Faults in the layout of a page, in every theme. */
 async function faults(page: Page, words: string): Promise<string[]> {
   const found: string[] = [];
   for (const theme of themes) {

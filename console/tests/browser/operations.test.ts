@@ -27,10 +27,10 @@ const shapes =
   "rect 0,0 100,100; circle 50,50 20; line 0,200 50,200; line 50.05,200 100,200; " +
   "select 1; group red; select 2; group blue";
 
-/** What is selected before an operation, where it is not everything closed. */
+/** Selection before an operation, where it is not everything closed. */
 const selected: Record<string, string> = { join: "3,4", trim: "3", start: "1" };
 
-/** What is entered, where the usual will not do. */
+/** Entries of an operation, where the usual will not do. */
 const special: Record<string, Record<string, string>> = {
   trim: { Place: "10mm,200mm" },
   radius: { Radius: "60mm" },

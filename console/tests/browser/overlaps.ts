@@ -15,7 +15,7 @@ function faultsOf(): string[] {
     const style = getComputedStyle(e);
     return style.visibility === "visible" && style.clipPath === "none" && Number(style.opacity) > 0;
   };
-  /** What is left of a box within everything that cuts it off. */
+  /** Part of a box that is left within everything that cuts it off. */
   const clipped = (e: Element, box: DOMRect) => {
     let [left, top, right, bottom] = [box.left, box.top, box.right, box.bottom];
     for (let at: Element | null = e; at && at !== document.body; at = at.parentElement) {

@@ -8,7 +8,7 @@ export interface Painted {
   readonly width: number;
   readonly height: number;
   at(x: number, y: number): Pixel;
-  /** How many pixels are so. */
+  /** Counts the pixels that meet a condition. */
   count(is: (pixel: Pixel) => boolean): number;
 }
 

@@ -1,4 +1,4 @@
-/** What the manual says of the preview: lines, extents, material, clearing. */
+/** Rows of the manual about the preview: lines, extents, material, clearing. */
 
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";

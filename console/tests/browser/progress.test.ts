@@ -1,4 +1,4 @@
-/** What is cut is told from what is not while a job runs, on the screen. */
+/** The screen tells cut lines from uncut ones while a job runs. */
 
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
@@ -21,7 +21,7 @@ beforeAll(async () => {
 });
 afterAll(() => workshop?.close());
 
-/** How far along the line the tool is while it cuts, millimetres. */
+/** Distance of the tool along the line while it cuts, millimetres. */
 async function cutSoFar(): Promise<number> {
   const { motion } = await stateOf(workshop);
   return motion.cutting ? motion.at.machine[0] : 0;

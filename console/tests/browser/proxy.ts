@@ -2,7 +2,7 @@
 
 import { createServer, connect as dial, type Socket } from "node:net";
 
-/** What becomes of a message: how often it goes on, and after how long. */
+/** Fate of a message: the number of copies that go on, and their delay. */
 export interface Fate {
   readonly copies: number;
   readonly afterMs: number;
@@ -11,7 +11,7 @@ export interface Fate {
 export const asUsual: Fate = { copies: 1, afterMs: 0 };
 
 export interface RoughLink {
-  /** Where pages connect to. */
+  /** Address to which pages connect. */
   readonly address: string;
   /** Decides about each message of a page. */
   fromPage: (text: string) => Fate;
@@ -51,7 +51,7 @@ class Frames {
   }
 }
 
-/** How long the head of a frame is and what it holds; endless when that is not known yet. */
+/** Length of a frame's head and of its content; endless when that is not known yet. */
 function sizes(all: Buffer): { head: number; length: number } {
   const notYet = { head: 0, length: Number.POSITIVE_INFINITY };
   const [, second] = all;

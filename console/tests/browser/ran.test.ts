@@ -1,4 +1,7 @@
-/** How the open file stands: when it ran, also after a restart and by a typed line; how long what runs takes yet. */
+/**
+ * Status of the open file: its last run, also after a restart and by a typed line; the time that a run
+ * takes yet.
+ */
 
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";

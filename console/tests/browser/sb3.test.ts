@@ -175,7 +175,7 @@ it("a file below the part folder is named from there, commas and all", async () 
 /** Goes an inch further each time; from the second time on it waits there. */
 const further = "&n = %(1) + 1\nMX,&n\nIF &n < 2 THEN GOTO DONE\nPAUSE 6000\nDONE:\nEND\n";
 
-/** What the server answers to a script, past every page. */
+/** Answer of the server to a script, past every page. */
 async function refusal(act: string, body: object): Promise<string> {
   const init = {
     method: "POST",

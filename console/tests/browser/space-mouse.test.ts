@@ -100,7 +100,7 @@ const between = (pixel: (at: Point) => Point): Point[] =>
     return [Math.round(x), Math.round(y)];
   });
 
-/** How far from the mouse the place is seen that is told of it, pixels: the most of several. */
+/** Greatest distance between the mouse and the place that is told of it, over several places, pixels. */
 async function away(pixel: (at: Point) => Point): Promise<number> {
   const all: number[] = [];
   for (const at of between(pixel)) all.push(far(pixel(await sheet.placeAt(at)), at));

@@ -14,7 +14,7 @@ beforeAll(async () => {
 });
 afterAll(() => workshop?.close());
 
-/** Where a person may be when something goes wrong. */
+/** Screens on which a person may be when something goes wrong. */
 const places: Record<string, () => Promise<void>> = {
   operator: () => page.getByRole("link", { name: "Operate" }).click(),
   editor: () => page.getByRole("link", { name: "Edit" }).click(),

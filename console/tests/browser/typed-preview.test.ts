@@ -1,4 +1,7 @@
-/** What is typed is on the screen: moves are drawn as they are made, a file that is run is the one that is shown. */
+/**
+ * Typed commands are on the screen: moves are drawn as they are made, a file that is run is the one that is
+ * shown.
+ */
 
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";

@@ -15,7 +15,7 @@ export const kerf = process.env.KERF ?? join(root, "target/debug/kerf");
 
 export interface Workshop {
   readonly address: string;
-  /** What shows that whoever asks sits at the machine, where others may connect. */
+  /** Headers that show that whoever asks sits at the machine, where others may connect. */
   readonly shows: Readonly<Record<string, string>>;
   readonly parts: string;
   readonly browser: Browser;
@@ -35,7 +35,7 @@ export interface Workshop {
 /** Those that are open in this file of tests. */
 export const openWorkshops = new Set<Workshop>();
 
-/** What the server itself tells, past every page. */
+/** Fetches the server's own state, past every page. */
 export async function stateOf(workshop: Workshop): Promise<Snapshot> {
   const { address, shows: headers } = workshop;
   return (await fetch(`${address}/api/state`, { headers })).json() as Promise<Snapshot>;
@@ -54,7 +54,7 @@ export async function arm(page: Page): Promise<void> {
   await page.locator(".state", { hasText: "Ready" }).waitFor();
 }
 
-/** What the location display shows of an axis. */
+/** Reads an axis on the location display. */
 export async function location(page: Page, axis: string): Promise<number> {
   return Number(await page.locator(`[data-axis="${axis}"]`).textContent());
 }
@@ -129,7 +129,7 @@ export async function act(page: Page, name: string): Promise<void> {
   await page.keyboard.press("Enter");
 }
 
-/** How long a test waits for anything before it says that it never comes. */
+/** Longest time that a test waits for anything before it says that it never comes, milliseconds. */
 const patienceMs = 60_000;
 
 /**
@@ -173,7 +173,7 @@ const looks = 100;
 /** A short moment between two looks. */
 export const moment = (ms = 40) => new Promise<void>((resolve) => setTimeout(resolve, ms));
 
-/** Whether nothing moves. */
+/** Tells whether nothing moves. */
 export const stands = async (workshop: Workshop): Promise<boolean> => {
   const { machine, motion } = await stateOf(workshop);
   return machine.state !== "jogging" && machine.state !== "running" && motion.speedMmS === 0;
@@ -242,7 +242,7 @@ interface Violation {
   nodes: { target: string[]; failureSummary: string }[];
 }
 
-/** What axe finds on a page, as lines. */
+/** Violations that axe finds on a page, as lines. */
 export async function violations(page: Page): Promise<string[]> {
   if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(axe);
   const found = await page.evaluate(async () => {
@@ -269,7 +269,7 @@ export interface WorkshopOptions {
   readonly open?: string;
   /** The start-up line of the handbooks that begins it, read in the part folder. */
   readonly line?: string;
-  /** Where it listens; a free port unless told. */
+  /** Address on which it listens; a free port unless told. */
   readonly listen?: string;
   /** A machine that nobody was asked about yet: the page leads through its settings by itself. */
   readonly isNew?: boolean;

@@ -1,4 +1,4 @@
-/** What the page fetches, without a server. */
+/** Answers the page's fetches without a server. */
 
 import { message } from "../../src/units/testing";
 import type { PreviewInfo } from "../../src/wire/messages";

@@ -3,7 +3,7 @@
 import { message, type Unmarked } from "../../src/units/testing";
 import type { AxisUnits, FileParameters, Lamp, Snapshot } from "../../src/wire/messages";
 
-/** How a file is run when nobody says otherwise. */
+/** Parameters with which a file is run when nobody says otherwise. */
 export const usualParameters = message<FileParameters>({
   proportion: [1, 1, 1],
   repetitions: 1,

@@ -128,7 +128,7 @@ fn a_run_that_was_given_up_at_a_stop_in_the_ramp_of_a_hold_goes_on_where_it_stoo
     }
 }
 
-/// What stopped it is not what it meets again when it is taken up.
+/// A run that is taken up again does not meet the input that stopped it once more.
 #[test]
 fn a_run_that_was_given_up_at_a_stop_input_goes_on_where_it_stood() {
     let whole = uninterrupted();
@@ -151,7 +151,7 @@ fn a_run_that_was_given_up_at_a_stop_input_goes_on_where_it_stood() {
     }
 }
 
-/// Who stops it on the way back and gives it up has lost nothing of the cut.
+/// A run that is stopped on the way back and given up has lost nothing of the cut.
 #[test]
 fn a_run_that_was_given_up_on_the_way_back_goes_on_where_it_stood() {
     let whole = uninterrupted();

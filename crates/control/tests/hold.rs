@@ -19,7 +19,7 @@ fn held(program: &str, stop_at_s: f64, answers: &str) -> Outcome {
     run_text(&[("a.sbp", program)], "a.sbp", options.answers(answers))
 }
 
-/// Where the tool is at the end: working and base location of an axis, in.
+/// Working and base location of an axis at the end, in.
 fn places(outcome: &Outcome, axis: Axis) -> (f64, f64) {
     let m = &outcome.session.memory;
     let user = |place| (m.settings.to_user(place)[axis] * 1e6).round() / 1e6;

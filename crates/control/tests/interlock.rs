@@ -92,7 +92,7 @@ impl Run {
 }
 
 impl Ran {
-    /// When the spindle was switched, and how.
+    /// Times at which the spindle was switched, s, and to what.
     fn spindle(&self) -> Vec<(f64, bool)> {
         let switched = self.events.iter().filter_map(|event| match event {
             Event::Output { n: 1, on, t, .. } => Some((*t, *on)),
@@ -105,7 +105,7 @@ impl Ran {
         self.spindle().iter().rfind(|(t, _)| *t <= t_s + 1e-9).is_some_and(|it| it.1)
     }
 
-    /// When moves begin and end.
+    /// Begin and end of each move, s.
     fn moves(&self) -> Vec<(f64, f64)> {
         let made = self.events.iter().filter_map(|event| match event {
             Event::Move(made) => Some((made.t0, made.t1)),
@@ -118,7 +118,7 @@ impl Ran {
         self.session.memory.position[Axis::X] / 25.4
     }
 
-    /// What happened, in order: an input, the spindle, a move, an answer.
+    /// Events in order: an input, the spindle, a move, an answer.
     fn story(&self) -> Vec<String> {
         let told = self.events.iter().filter_map(|event| match event {
             Event::Input { n, on, .. } => Some(format!("input {n} {}", u8::from(*on))),

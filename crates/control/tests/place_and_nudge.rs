@@ -1,4 +1,4 @@
-//! Where a run stands, and nudging: what a console asks of a session.
+//! Place of a run, and nudging: requests of a console to a session.
 
 use kerf_control::answers::Answers;
 use kerf_control::{RunContext, Session, StopAt};

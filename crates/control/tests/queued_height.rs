@@ -181,7 +181,7 @@ fn breaks(fake: &Fake) -> f64 {
     if on_sim(fake)[0] > 150.0 { 0.0 } else { sim_voltage(fake) }
 }
 
-/// What a job tells.
+/// Everything that a job tells.
 pub struct Watched {
     pub world: Rc<RefCell<World>>,
     pub events: Vec<Event>,

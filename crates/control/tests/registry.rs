@@ -15,7 +15,7 @@ use std::rc::Rc;
 use std::time::Duration;
 use tempfile::TempDir;
 
-/// What another program saw, with the question that was open or the machine time that passed.
+/// Registry as another program saw it, with the question that was open or the machine time that passed.
 type Seen = Rc<RefCell<Vec<(String, Live)>>>;
 
 /// Looks from outside whenever the operator is asked or time passes.
@@ -54,7 +54,7 @@ impl Requests for Onlooker {
     }
 }
 
-/// What is seen of a program.
+/// Runs a program and tells what another program sees of it.
 fn seen(folder: &TempDir, program: &str, typed: bool, stop_s: f64) -> Vec<(String, Live)> {
     seen_of(folder, program, typed.then_some("FP,a.sbp\n"), stop_s)
 }
@@ -139,7 +139,7 @@ fn sbp_ctl_reg_bit1() {
     assert_eq!(held.1.status & 17, 17, "also while it is held");
 }
 
-/// What is typed is no file, also behind one.
+/// Typed lines count as no file, also behind one.
 #[test]
 fn sbp_ctl_reg_bit1__typed_lines() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! What a run does where machine, planner and program meet.
+//! Runs where machine, planner and program meet.
 
 use kerf_control::{OperatorRequest, Outcome, RunContext, Script, Session, TextOptions, run_text};
 use kerf_files::MemoryDisk;

@@ -130,7 +130,7 @@ fn copied(entered: &str, body: kerf_sim::Body, closed: bool, output: &str) -> (S
     (shop, written)
 }
 
-/// Where a part file goes, inches.
+/// Ends of the cuts of a part file, inches.
 fn cuts(shop: &mut Shop, file: &str) -> Vec<[f64; 3]> {
     let to = |event: &Event| match event {
         Event::Move(made) if made.kind == kerf_program::MoveKind::Cut => {

@@ -154,7 +154,7 @@ fn a_question_that_was_open_is_settled_when_the_tool_goes_back() {
     }
 }
 
-/// What was cut before the power failed is counted: only the way back down is more than without it.
+/// Counts the cut from before the power failed: only the way back down is more than without it.
 #[test]
 fn the_whole_cut_is_counted() {
     let whole = uninterrupted();
@@ -195,8 +195,8 @@ fn a_question_of_the_program_behind_one_that_was_open_is_asked_once() {
     assert_eq!(along[along.len() - 2..], [2.0, 3.0]);
 }
 
-/// Who nudged the workpiece before the power failed finds it nudged, also when it fails again before the tool is
-/// back.
+/// A workpiece that was nudged before the power failed is still nudged afterwards, also when it fails again before
+/// the tool is back.
 #[test]
 fn a_nudge_before_the_power_failed_is_on_record() {
     let whole = uninterrupted();

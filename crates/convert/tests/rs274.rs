@@ -1,4 +1,4 @@
-//! What is written for LinuxCNC is accepted by LinuxCNC's own interpreter, `rs274` of the Debian package
+//! Programs written for LinuxCNC are accepted by LinuxCNC's own interpreter, `rs274` of the Debian package
 //! `linuxcnc-uspace`. Where it is not installed the test says so and passes.
 
 use crate::support::{LINUXCNC, SBP, converted, plain};

@@ -1,4 +1,4 @@
-//! What both languages have to mean by the same words: zeros of the machine, units of linear axes.
+//! Zeros of the machine and units of linear axes: both languages have to mean the same by them.
 
 use crate::support::{GENERIC, GRBL, LINUXCNC, SBP, converted, followed, plain};
 use kerf_convert::{Conversion, Language, Passage};
@@ -26,7 +26,7 @@ fn end(passage: &Passage) -> Axes {
     places.last().unwrap()
 }
 
-/// Where a program of a language ends that begins at zero.
+/// End of a program of a language that begins at zero.
 fn end_of(text: &str, language: Language, unit: LinearUnit) -> Axes {
     end(&followed("x", text.as_bytes(), &six_axes(language, SBP, unit), ".".into()))
 }

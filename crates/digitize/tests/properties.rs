@@ -1,5 +1,5 @@
-//! What holds for all points: a shape that is loaded and saved again is the same shape, and no edit leaves
-//! the list as it must not be.
+//! Properties of all points: a shape that is loaded and saved again is the same shape, and no edit leaves the list as
+//! it must not be.
 
 use kerf_digitize::{Digitizer, Dimension, Kind, Stand, nearest_shape};
 use kerf_drawing::Shape;

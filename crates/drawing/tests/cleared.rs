@@ -1,6 +1,5 @@
-//! What must hold of engraving and pockets in every drawing: the tool reaches all that it can reach and never
-//! leaves the area, in the whole job and in a selection, however the shapes are drawn. `SEEDS` and `FROM` try
-//! other drawings.
+//! Engraving and pockets in every drawing: the tool reaches all that it can reach and never leaves the area, in the
+//! whole job and in a selection, however the shapes are drawn. `SEEDS` and `FROM` try other drawings.
 
 use crate::families::Dice;
 use crate::random::{check_cleared, random_case, seeds};

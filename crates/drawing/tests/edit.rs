@@ -344,7 +344,7 @@ fn what_would_change_nothing_is_told() {
     }
 }
 
-/// What the last clause tells.
+/// Notes of the last clause.
 fn notes(text: &str) -> Vec<String> {
     let (before, last) = text.rsplit_once("; ").unwrap_or(("", text));
     let outcome = after(before).apply(&script(last).unwrap()[0].1).unwrap();

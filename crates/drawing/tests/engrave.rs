@@ -87,7 +87,7 @@ fn pro_engrave_tool_overlap() {
     assert!(insets.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-3), "{insets:?}");
 }
 
-/// What a tool leaves in four square corners.
+/// Area that a tool leaves in four square corners.
 fn corners(radius: f64) -> f64 {
     4.0 * radius * radius * (1.0 - PI / 4.0)
 }
@@ -162,7 +162,7 @@ fn what_bounds_no_area_is_told() {
     assert_eq!(told, expected);
 }
 
-/// What is told of an engraving of shapes, and the drawing.
+/// Notes on an engraving of shapes, and the drawing.
 fn told(text: &str) -> (Vec<String>, Editor) {
     let (before, last) = text.rsplit_once("; ").unwrap();
     let mut editor = after(before);
@@ -170,7 +170,7 @@ fn told(text: &str) -> (Vec<String>, Editor) {
     ([outcome.warnings, outcome.notes].concat(), editor)
 }
 
-/// What is cut, each with its group and height.
+/// Group and depth of each cut.
 fn cut(editor: &Editor) -> Vec<(Group, CutDepth)> {
     let drawing = &editor.drawing;
     let of = |shape: &std::sync::Arc<Shape>| (shape.group, *drawing.settings(shape.group));

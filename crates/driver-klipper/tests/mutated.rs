@@ -1,4 +1,4 @@
-//! What boards say, whole and mutated by dice. The fuzz target `board` throws more of it.
+//! Words of boards, whole and mutated by dice. The fuzz target `board` throws more of it.
 
 use crate::bytes;
 use kerf_driver_klipper::fake::Dice;

@@ -1,11 +1,11 @@
-//! What is no board, no board for this machine, or a board that goes away: told, and nothing moves by itself.
+//! Refusals: no board, no board for this machine, or a board that goes away is told, and nothing moves by itself.
 
 use crate::world::{GRAIN_S, Motion, World, setup};
 use kerf_driver_klipper::board::{Board, Fault, News, Options};
 use kerf_driver_klipper::fake::{Dice, Faults};
 use kerf_driver_klipper::setup::{DriverWire, Pin, Pulsed, Setup};
 
-/// What the host tells of something that answers each of its words so.
+/// Fault that the host tells of something that answers each of its words so.
 fn told_of(mut answers: impl FnMut(&[u8]) -> Vec<u8>) -> Fault {
     let mut host = Board::new(setup(), Options::default(), 0.0);
     for n in 1..30_000 {

@@ -16,7 +16,7 @@ fn read(bytes: &[u8]) -> Imported {
     dxf::read(bytes, &dxf::Options::default())
 }
 
-/// How far two drawings are apart; why they cannot be compared.
+/// Distance between two drawings; the reason if they cannot be compared.
 fn apart(a: &Drawing, b: &Drawing, flat_only: bool) -> Result<f64, String> {
     if a.shapes.len() != b.shapes.len() {
         return Err(format!("{} shapes became {}", a.shapes.len(), b.shapes.len()));
@@ -61,7 +61,7 @@ impl Dice {
     }
 }
 
-/// How many places of a file are broken: more of a small one. `TRIES` multiplies them.
+/// Number of places at which a file is broken: more of a small one. `TRIES` multiplies them.
 fn tries(bytes: &[u8]) -> usize {
     let times = env::var("TRIES").map_or(1, |text| text.parse().unwrap());
     times * (1_000_000 / bytes.len().max(1)).clamp(4, 40)
@@ -71,7 +71,7 @@ fn paths(read: &Imported) -> Vec<&Polyarc> {
     read.drawing.shapes.iter().map(|shape| &shape.path).collect()
 }
 
-/// How many shapes are alike at the beginning.
+/// Number of shapes that are alike at the beginning.
 fn alike<'a>(a: impl Iterator<Item = &'a Polyarc>, b: impl Iterator<Item = &'a Polyarc>) -> usize {
     a.zip(b).take_while(|(a, b)| a == b).count()
 }
@@ -105,12 +105,12 @@ fn files_that_break_off_are_read_so_far() {
     }
 }
 
-/// Where the first section has begun: before that nobody knows that it is DXF.
+/// Offset at which the first section has begun: before that nobody knows that it is DXF.
 fn begin(bytes: &[u8]) -> usize {
     bytes.windows(7).position(|word| word == b"SECTION").map_or(bytes.len(), |at| at + 10)
 }
 
-/// How many shapes the last entity of a text may make: a polyline one, an INSERT those of its block.
+/// Most shapes that the last entity of a text may make: a polyline one, an INSERT those of its block.
 fn inserted(bytes: &[u8]) -> usize {
     let tail = &bytes[bytes.len().saturating_sub(2000)..];
     if String::from_utf8_lossy(tail).contains("INSERT") { usize::MAX } else { 1 }

@@ -314,7 +314,7 @@ fn invisible_entities_are_not_drawn_and_told() {
     assert_eq!(told, ["1 entity left out: marked as invisible (group code 60)"]);
 }
 
-/// What a block has on layer 0 goes with the layer of its INSERT; the rest goes with its own, unless that of the
+/// Shapes of a block on layer 0 go with the layer of its INSERT; the rest goes with its own, unless that of the
 /// INSERT is frozen.
 #[test]
 fn blocks_on_layers_that_are_not_seen() {

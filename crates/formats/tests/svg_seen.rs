@@ -1,4 +1,4 @@
-//! What of an SVG is seen, where it lies and how large it is: styles, percentages, what is hidden.
+//! Visible parts of an SVG, their place and size: styles, percentages, hidden elements.
 
 use kerf_formats::{Imported, svg};
 

@@ -14,7 +14,7 @@ const USUAL: u64 = 40;
 /// Lines that one of them may run.
 const MOST_LINES: u64 = 2_000;
 
-/// What is put in: what the grammar knows, and what it does not.
+/// Pieces that are put in: some that the grammar knows, and some that it does not.
 const PIECES: [&str; 40] = [
     "G",
     "M",

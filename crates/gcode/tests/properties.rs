@@ -1,4 +1,4 @@
-//! What must hold for any text and any program.
+//! Properties of any text and any program.
 
 use crate::support::Quiet;
 use kerf_gcode::{Dialect, Interpreter, Options, Program, Session, Writing, read, write};

@@ -21,7 +21,7 @@ fn sums(found: &[OffsetPath]) -> (usize, f64, f64) {
     (found.len(), area, found.iter().map(|f| f.path.length()).sum())
 }
 
-/// How many rings, their area and length together, and where the first starts.
+/// Checks the number of rings, their area and length together, and the start of the first.
 fn check(source: &Polyarc, by: f64, rings: usize, area: f64, length: f64, start: (f64, f64)) {
     let found = offset(source, by).expect("an offset");
     let (n, a, l) = sums(&found);
@@ -305,7 +305,7 @@ fn the_second_engine_offsets_open_shapes_and_regions() {
     assert!(offset_by_chords(&inconsistent, 1.0).is_err());
 }
 
-/// Whether a first engine leads to the same offset as Kerf's own, on a few shapes of every family.
+/// Checks that a first engine leads to the same offset as Kerf's own, on a few shapes of every family.
 fn is_not_believed(propose: impl Fn(&[Polyarc], f64) -> Option<Vec<OffsetPath>>) {
     let shapes = [sq100(), Polyarc::circle(p(3., 4.), 20.0), families::gear()];
     let cracks = (0..3).map(|seed| families::cracks(seed).0);
@@ -402,8 +402,8 @@ fn contours_of_nothing_but_noise_are_offset() {
     assert!(found.len() == 1 && Coarse::of(&found).is_none(), "{}", found.len());
 }
 
-/// Where arcs turn back on each other all but by half a turn, the computed angle told the wrong side, and offsets of
-/// such shapes were refused.
+/// Arcs that turn back on each other all but by half a turn once had an angle that told the wrong side, and offsets
+/// of such shapes were refused.
 #[test]
 fn cusps_of_arcs_turn_to_the_side_of_their_bends() {
     for seed in 0..300 {

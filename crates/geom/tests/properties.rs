@@ -1,4 +1,4 @@
-//! What holds for every shape, held against many places of it: chords, samples, and other ways to the same.
+//! Properties of every shape, held against many places of it: chords, samples, and other ways to the same.
 
 use crate::families;
 use crate::families::Dice;
@@ -32,7 +32,7 @@ fn anywhere(dice: &mut Dice, bounds: &Bounds2) -> Point2 {
     Point2::new(dice.between(area.min.x, area.max.x), dice.between(area.min.y, area.max.y))
 }
 
-/// How often chords wind round a place.
+/// Number of times that chords wind round a place.
 fn winding(chords: &[Point2], place: Point2) -> i32 {
     let next = chords.iter().cycle().skip(1);
     let turn = |(a, b): (&Point2, &Point2)| {
@@ -72,7 +72,7 @@ fn inside_and_nearest_are_those_of_many_places() {
     });
 }
 
-/// Where chords cross, the shapes do, and every crossing lies on both.
+/// Shapes cross in the places in which their chords do, and every crossing lies on both.
 #[test]
 fn crossings_are_where_chords_cross() {
     every_shape(3, |shape, dice| {

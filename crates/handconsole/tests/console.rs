@@ -13,7 +13,7 @@ fn press(console: &mut Console, keys: &str, view: &View) -> Vec<ConsoleRequest> 
     keys.chars().flat_map(|it| console.press(key(it), view)).collect()
 }
 
-/// What a new console shows after some keys.
+/// Display of a new console after some keys.
 fn shown(keys: &str, view: &View) -> [String; 2] {
     let mut console = Console::default();
     press(&mut console, keys, view);

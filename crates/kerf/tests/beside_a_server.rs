@@ -146,7 +146,7 @@ fn a_server_heeds_what_it_is_told_of_a_run_and_the_rest_is_refused() {
     send("--again").exits(2).complains("--again is not heeded");
 }
 
-/// Where the server believes the machine to stand, X in inches.
+/// Location of X at which the server believes the machine to stand, inches.
 fn served_x(console: &Console) -> f64 {
     let at = console.ask("GET /api/state", "")["motion"]["at"]["working"][0].clone();
     at.as_f64().unwrap() / 25.4

@@ -53,7 +53,7 @@ fn pro_import_dxf_manipulate() {
     assert_eq!(rsg[0]["points"], dxf[0]["points"]);
 }
 
-/// What `kerf draw FILE --list` draws, and what it says.
+/// Number of shapes that `kerf draw FILE --list` draws, and its words.
 fn listed(folder: &Path, file: &str, text: &str, options: &[&str]) -> (usize, String) {
     std::fs::write(folder.join(file), text).unwrap();
     let did = kerf(folder, &[&["draw", file, "--list"], options].concat());
@@ -249,7 +249,7 @@ fn drawings_and_jobs_are_previewed_timed_and_run() {
     assert_eq!(arcs, 3, "the lead and two halves of the circle");
 }
 
-/// What ezdxf, a reader of DXF that is not ours, finds in files: errors it would mend, and entities.
+/// Script that audits files with ezdxf, a reader of DXF that is not ours: errors it would mend, and entities.
 const AUDIT: &str = "
 import sys, ezdxf
 for name in sys.argv[1:]:
@@ -278,7 +278,7 @@ fn other_programs_read_what_is_written() {
     assert_eq!(told, "0 3\n0 3\n0 18\n");
 }
 
-/// How many shapes a script leaves of `a.dxf`, which has three; `b.rsm` and its like have two.
+/// Number of shapes that a script leaves of `a.dxf`, which has three; `b.rsm` and its like have two.
 fn after_loading(folder: &Path, script: &str) -> usize {
     let made = kerf(folder, &["draw", "a.dxf", "--do", script, "-o", "out.rsg"]);
     assert_eq!(made.status.code(), Some(0), "{}", told(&made));

@@ -5,7 +5,7 @@ use serde_json::Value;
 
 const PLATE: &str = "line 0,0 100,0 100,60 0,60 close; engrave all tool=5 overlap=0.1 group=red; ";
 
-/// Where the simulated machine has the surface of the material.
+/// Height of the material's surface on the simulated machine, mm.
 const SURFACE: f64 = -20.0;
 
 /// The moves of a job as the simulated machine makes them, in millimetres above its home.
@@ -28,7 +28,7 @@ fn is_cut(event: &Value) -> bool {
     event["kind"] == "cut"
 }
 
-/// How often the tool goes from the air into the material.
+/// Number of times that the tool goes from the air into the material.
 fn plunges(moves: &[Value]) -> usize {
     moves.windows(2).filter(|pair| z(&pair[0]) > SURFACE && z(&pair[1]) < SURFACE).count()
 }
@@ -57,7 +57,7 @@ fn pro_engrave_depth() {
     assert_eq!(at_depth("set red height=-2 pass=1"), [-21.0, -22.0]);
 }
 
-/// How steeply the cutting moves below the surface go down at most, millimetres down per millimetre along.
+/// Steepest way down of the cutting moves below the surface, millimetres down per millimetre along.
 fn steepest(script: &str) -> f64 {
     let all = moves(script);
     let at = |event: &Value, axis: &str| event["to"][axis].as_f64().unwrap();

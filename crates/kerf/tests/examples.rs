@@ -87,7 +87,7 @@ fn example_folders() -> Vec<PathBuf> {
     folders
 }
 
-/// What an example did, when that is not what was expected.
+/// Output of an example that differs from the expected one.
 fn difference(folder: &Path) -> Option<String> {
     let expected = std::fs::read_to_string(folder.join("expected.txt")).unwrap_or_default();
     let did = summary(&trace(folder));
@@ -131,7 +131,7 @@ fn summary(events: &[Value]) -> String {
     text
 }
 
-/// What of an event a person at the machine would notice.
+/// Part of an event that a person at the machine would notice.
 fn told(event: &Value) -> Option<String> {
     let text = event["text"].as_str().unwrap_or_default();
     match event["e"].as_str()? {

@@ -218,7 +218,7 @@ fn killed_job(shop: &Shop, zone: &str) {
     job.wait().unwrap();
 }
 
-/// How often a trace cuts to the end of the job; not at all where nothing was traced.
+/// Number of times that a trace cuts to the end of the job; 0 where nothing was traced.
 fn passes(shop: &Shop) -> usize {
     let trace = fs::read_to_string(shop.file("t")).unwrap_or_default();
     let ends =

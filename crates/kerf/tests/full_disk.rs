@@ -65,7 +65,7 @@ fn a_part_program_that_has_no_room_is_refused_and_the_file_there_stays() {
     check("POST /api/do/draw", r#"{"op":{"op":"program","name":"a.sbp","replaces":"*"}}"#);
 }
 
-/// What a file was is kept before it is replaced: where that has no room, it stays.
+/// A file is replaced only after its version is kept: without room for that it stays.
 #[test]
 fn a_file_whose_version_cannot_be_kept_stays() {
     let shop = Shop::new(&[]);

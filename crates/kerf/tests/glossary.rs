@@ -2,7 +2,7 @@
 
 use crate::shop::Shop;
 
-/// What `kerf help` says of some words.
+/// Answer of `kerf help` to some words.
 fn help(words: &str) -> String {
     let shop = Shop::new(&[]);
     let did = shop.kerf(&format!("help {words}"));

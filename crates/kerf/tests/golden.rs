@@ -25,7 +25,7 @@ fn options(program: &Path) -> Vec<String> {
     line.unwrap_or_default().split_whitespace().map(str::to_owned).collect()
 }
 
-/// What `kerf trace` prints, the program named from its own folder's parent.
+/// Output of `kerf trace`, the program named from its own folder's parent.
 fn trace(program: &Path) -> String {
     let data = tempfile::tempdir().unwrap();
     let name = Path::new("golden").join(program.file_name().unwrap());

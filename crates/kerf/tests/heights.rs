@@ -3,7 +3,7 @@
 use crate::shop;
 use crate::shop::Shop;
 
-/// What `make figures` draws: the folder of the book's figures.
+/// Folder of the book's figures, which `make figures` draws.
 const FIGURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/figures");
 
 /// The run of a figure, with the options that stand beside it.
@@ -142,7 +142,7 @@ fn edges(data: &serde_json::Value, expected: &[&str]) {
     }
 }
 
-/// When a value leaves one place and comes to the next: `x 4.840 5.940` are moments of the rows.
+/// Checks when a value leaves one place and comes to the next: `x 4.840 5.940` are moments of the rows.
 #[track_caller]
 fn moves(data: &serde_json::Value, axis: &str, expected: &[[f64; 3]]) {
     let points = data["tracks"][axis]["points"].as_array().unwrap();

@@ -1,4 +1,4 @@
-//! What options and the machine of the data folder are to a run of a job.
+//! Runs of a job under options and under the machine of the data folder.
 
 use crate::shop::{Did, Shop};
 

@@ -4,8 +4,8 @@
 use crate::shop::Shop;
 use serde_json::Value;
 
-/// How a file is called; it is called after a move to X10 Y20 Z3. The last stretches circles, which each
-/// language then cuts as chords of its own.
+/// Calls of a file, each after a move to X10 Y20 Z3. The last stretches circles, which each language then cuts as
+/// chords of its own.
 const CALLS: [&str; 6] = [
     "FP,FILE",
     "FP,FILE,,,,,1",
@@ -89,7 +89,7 @@ fn check_called(text: &str, calls: usize) {
     }
 }
 
-/// Why variables are not kept.
+/// Checks the reason that variables are not kept.
 fn check_refused(text: &str, line: u32, why: &str) {
     let shop = Shop::new(&[("a.nc", text)]);
     let did = shop.kerf("convert a.nc a.sbp --keep-variables --units mm");

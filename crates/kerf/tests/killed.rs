@@ -13,15 +13,15 @@ use std::time::{Duration, Instant};
 
 /// Something that runs long enough to be killed.
 struct Subject {
-    /// What `kerf run` is told.
+    /// Arguments of `kerf run`.
     run: &'static str,
     /// The files.
     shop: fn() -> Shop,
-    /// What has to be the same however often it is killed.
+    /// Moves that have to be the same however often it is killed.
     moves: fn(&[Value]) -> Vec<String>,
     /// Fewer moves would prove nothing.
     at_least: usize,
-    /// What is left behind.
+    /// State that is left behind.
     left: fn(&Shop) -> String,
 }
 
@@ -41,8 +41,8 @@ const JOB: Subject = Subject {
     left: left_by_job,
 };
 
-/// What is cut: jogs, cuts, arcs, a called file, a question, a file that is written, values that stay,
-/// outputs, a pause, a loop.
+/// Part file with every kind of step: jogs, cuts, arcs, a called file, a question, a file that is written, values
+/// that stay, outputs, a pause, a loop.
 const PART_TEXT: &str = "SA
 JZ,.5
 INPUT \"how deep\" &deep
@@ -157,7 +157,7 @@ fn begin(shop: &Shop, what: &str, trace: &str) -> Child {
     command.spawn().unwrap()
 }
 
-/// How a process ended that did not finish its work.
+/// Death of a process that did not finish its work.
 enum Death {
     Killed,
     /// It was killed before it had begun, or after it was over.
@@ -189,7 +189,7 @@ fn ended(child: Child) -> Option<Death> {
     }
 }
 
-/// Where the machine stands.
+/// Location at which the machine stands.
 fn location(shop: &Shop) -> String {
     let mut send = shop.command();
     let out = send
@@ -230,7 +230,7 @@ impl Whole {
         Self { made, left: (subject.left)(&shop), takes, subject }
     }
 
-    /// How much of the whole is made when these moves follow on so many.
+    /// Number of moves of the whole that are made when these follow on that many.
     fn follow(&self, seen: usize, made: &[String], seed: u64) -> usize {
         if made.is_empty() {
             return seen;

@@ -91,7 +91,7 @@ fn a_mistake_in_a_file_is_told_with_line_and_hint() {
     );
 }
 
-/// What `kerf io` prints.
+/// Output of `kerf io`.
 fn io(data: &Path, arguments: &[&str]) -> String {
     let output = command(data, "io", arguments);
     assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));

@@ -1,4 +1,4 @@
-//! How other software starts Kerf and reads what became of it: the start-up line, the system log.
+//! Other software starts Kerf and reads what became of it: the start-up line, the system log.
 
 use crate::shop::console::Console;
 use crate::shop::{Did, Shop};

@@ -1,4 +1,4 @@
-//! Where a job lies, what it is cut with, and the whole of it offset.
+//! Place of a job, its cutting values, and the offset of the whole.
 
 use crate::shop::Shop;
 use serde_json::Value;
@@ -17,7 +17,7 @@ fn position(shop: &Shop) -> Vec<String> {
     shop.kerf("machine pos").out().lines().map(str::to_owned).collect()
 }
 
-/// Where the head ended, machine frame.
+/// Place at which the head ended, machine frame.
 fn ended(shop: &Shop) -> [f64; 2] {
     let lines = position(shop);
     [0, 1].map(|i| lines[i].split_whitespace().nth(1).unwrap().parse().unwrap())
@@ -36,7 +36,7 @@ fn pro_job_origin_cmp() {
     shop.kerf("machine origin there").exits(2);
 }
 
-/// Who lets jobs begin where the tool is finds the origin there afterwards.
+/// Jobs that begin where the tool is leave the origin there afterwards.
 #[test]
 fn pro_job_origin_start_yes__at_the_command_line() {
     let shop = shop("line 0,0 10,0");

@@ -1,4 +1,4 @@
-//! What VP says about the preview is what the picture shows (command reference, VP).
+//! Settings of VP about the preview show in the picture (command reference, VP).
 
 use std::process::Command;
 

@@ -12,7 +12,7 @@ fn boxed(unit: u8) -> String {
     )
 }
 
-/// How far X of the drawing goes.
+/// Extent of the drawing in X.
 fn width(shop: &Shop, file: &str) -> f64 {
     let did = shop.kerf(&format!("draw {file} --list"));
     did.exits(0);

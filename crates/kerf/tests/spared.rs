@@ -1,4 +1,4 @@
-//! What is refused before it does harm: files written over, moves beyond all reason, values nobody can read.
+//! Refusals before harm is done: files written over, moves beyond all reason, values nobody can read.
 
 use crate::shop::{Did, Shop};
 

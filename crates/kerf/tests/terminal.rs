@@ -1,4 +1,4 @@
-//! What is so only where somebody sits at a terminal.
+//! Behaviour that needs somebody at a terminal.
 
 #![cfg(unix)]
 

@@ -1,4 +1,4 @@
-//! What the machine remembers between commands, and the commands that show it.
+//! Values that the machine remembers between commands, and the commands that show it.
 
 use crate::shop::{Did, Shop};
 
@@ -8,7 +8,7 @@ fn send(shop: &Shop, lines: &[&str]) -> Did {
     Did::of(command.arg("send").arg("--quiet").args(lines).output().unwrap())
 }
 
-/// What a program prints when it goes on from where the last one ended.
+/// Output of a program that goes on from where the last one ended.
 fn prints(shop: &Shop, what: &str) -> String {
     shop.write("print.sbp", format!("PRINT {what}\n").as_bytes());
     let out = shop.kerf("run print.sbp --quiet").exits(0).out();
@@ -153,7 +153,7 @@ fn what_a_person_does_with_the_machine_after_a_kill_is_where_it_is() {
     shop.kerf("machine pos").exits(0).says("x  0.000 homed");
 }
 
-/// Where the machine stands.
+/// Location of X at which the machine stands.
 fn x(shop: &Shop) -> String {
     send(shop, &["&x=%(1)", "PRINT &x"]).exits(0).out()
 }

@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use proptest::strategy::Union;
 use proptest::test_runner::TestRunner;
 
-/// How many programs are tried.
+/// Number of programs that are tried.
 const PROGRAMS: u32 = 150;
 
 /// A file that programs call.

@@ -40,7 +40,7 @@ fn check_profiler(moves: &[Move], smoothing: &Smoothing, at_once: usize) -> usiz
     agree(&whole, &pieces(&mut planner, moves, at_once), at_once)
 }
 
-/// How many pieces there are.
+/// Checks that the pieces agree with the whole; tells the number of pieces.
 fn agree(whole: &[Plan], pieces: &[Plan], at_once: usize) -> usize {
     let (expected, found) = (spans(whole), spans(pieces));
     assert_eq!(found.len(), expected.len());

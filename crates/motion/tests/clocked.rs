@@ -232,7 +232,7 @@ fn a_hold_takes_no_longer_than_the_axes_need() {
     assert!((stop.end_s - stop.begin_s - 0.2).abs() < 5e-3, "{stop:?}");
 }
 
-/// Where the plan slows as steeply as it can a hold cannot keep the limit of jerk; nobody waits for it.
+/// A hold cannot keep the limit of jerk where the plan slows as steeply as it can; nobody waits for it.
 #[test]
 fn a_hold_under_a_limit_of_jerk_comes_at_once_and_is_mostly_smooth() {
     let jerk = 10_000.0;

@@ -1,4 +1,4 @@
-//! How commands become moves: speeds, lengths, arcs, feeds, and what VS, VU and VR do to them.
+//! Commands become moves: speeds, lengths, arcs, feeds, and the effects of VS, VU and VR on them.
 
 use crate::shop::{joints, near, peaks, vs};
 use kerf_motion::{Move, Mover, Path, Plan, plan_stack};

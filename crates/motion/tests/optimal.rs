@@ -152,7 +152,7 @@ fn spans_tell_how_fast_a_move_begins_is_made_and_ends() {
     }
 }
 
-/// What is summed up from corner to corner is summed anew now and then: nobody may see where.
+/// Sums from corner to corner are made anew now and then: nobody may see where.
 #[test]
 fn corners_that_are_alike_take_as_long_however_many_there_were() {
     let place = |k: u32| {

@@ -80,7 +80,7 @@ fn polygon(sides: u32, radius: f64, down: f64, factor: f64) -> Plan {
     made.plan()
 }
 
-/// Which moves became curves.
+/// Tells of each move if it became a curve.
 fn curves(plan: &Plan) -> Vec<bool> {
     plan.moves().iter().map(|m| matches!(m.path, Path::Curve { .. })).collect()
 }

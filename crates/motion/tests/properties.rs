@@ -1,4 +1,4 @@
-//! What must hold for any stack, whatever the moves, feeds and settings.
+//! Properties of any stack, whatever the moves, feeds and settings.
 
 use kerf_motion::{Move, Mover, Plan, plan_stack};
 use kerf_program::settings::MM_PER_INCH;

@@ -6,14 +6,14 @@ use kerf_program::{Axes, Dynamics, MoveKind, Settings};
 use proptest::prelude::*;
 use std::iter;
 
-/// What the operator does at a time since the last such moment, seconds.
+/// Act of the operator at a time since the last such moment, seconds.
 #[derive(Clone, Copy, Debug)]
 enum Turn {
     Hold,
     Feed(f32),
 }
 
-/// What was made: pieces of plan, and whether the machine stands at the end of each.
+/// Pieces of plan that were made; each with true if the machine stands at its end.
 struct Made {
     pieces: Vec<(Plan, bool)>,
 }

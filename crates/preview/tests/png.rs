@@ -10,7 +10,7 @@ fn paint(scene: &Scene, pixels: u32) -> Pixmap {
     Pixmap::decode_png(&bytes).unwrap()
 }
 
-/// Where a working place is on the picture, from the numbers of the SVG.
+/// Colour of the picture at a working place, found by the numbers of the SVG.
 fn pixel_of(scene: &Scene, picture: &Pixmap, [x, y]: [f64; 2]) -> [u8; 3] {
     let text = svg(scene, &Options::default());
     let doc = roxmltree::Document::parse(&text).unwrap();

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use std::thread;
 use std::time::Duration;
 
-/// What is said in the reply to an act, where it is refused.
+/// Words of the reply to an act that is refused.
 type Refusal = Option<String>;
 
 fn answer(question: u64, words: &str) -> Value {
@@ -114,7 +114,7 @@ fn an_answer_that_arrived_before_a_disarm_does_not_go_on() {
     assert_eq!(at(&page), before);
 }
 
-/// What came of writing a value of the registry, over the network.
+/// Writes a value of the registry over the network: status and answer.
 fn put(shop: &Shop, key: &str, value: &str) -> (u16, Value) {
     let answer = shop.ask(&format!("PUT /api/registry/{key}"), &[], value.as_bytes());
     (answer.status, answer.json()["text"].clone())

@@ -7,7 +7,7 @@ use kerf_handconsole::functions::FUNCTIONS;
 use kerf_program::{Axis, AxisSet};
 use serde_json::json;
 
-/// Where the machine is, near enough for people.
+/// Tells whether the machine is at a place, near enough for people.
 fn near(page: &Page, place: [f64; 3]) -> bool {
     at(page).iter().zip(place).all(|(a, b)| (a - b).abs() < 1e-6)
 }
@@ -171,7 +171,7 @@ fn started(change: fn(&mut kerf_machine::Configuration)) -> (support::Shop, Hand
 
 const TWICE: fn(&mut kerf_machine::Configuration) = |machine| machine.misc.double_start = true;
 
-/// Where the shapes of the sample begin, at Z top.
+/// Start of a shape of the sample, at Z top.
 fn over(shape: u32) -> [f64; 3] {
     let (column, row) = ((shape - 1) % 4, (shape - 1) / 4);
     [f64::from(column) * 225.0, f64::from(row) * 105.0, -10.0]

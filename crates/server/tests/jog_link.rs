@@ -33,7 +33,7 @@ struct Watcher {
 struct Seen {
     /// Since when the machine moves, or stands.
     jogs: Option<(bool, Instant)>,
-    /// When the computer stood still, and how long.
+    /// Moments at which the computer stood still, each with its length.
     stalls: Vec<(Instant, Duration)>,
 }
 
@@ -65,7 +65,7 @@ impl Watcher {
         Self { seen, over }
     }
 
-    /// Whether the machine moves.
+    /// Tells whether the machine moves.
     fn jogs(&self) -> bool {
         self.seen.lock().unwrap().jogs.is_some_and(|(jogs, _)| jogs)
     }
@@ -90,7 +90,7 @@ impl Drop for Watcher {
     }
 }
 
-/// What became of a jog.
+/// Result of a jog.
 #[derive(Debug, PartialEq)]
 enum Jogged {
     /// The machine moved when the key was let go, and so long after.

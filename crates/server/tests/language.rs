@@ -1,4 +1,4 @@
-//! What editors and fill-in sheets ask.
+//! Requests of editors and of fill-in sheets.
 
 use crate::support::shop;
 use serde_json::json;
@@ -28,7 +28,7 @@ fn a_text_is_checked_completed_explained_and_formatted() {
     assert_eq!(formatted["text"], "MX,1\n");
 }
 
-/// What the fill-in sheet of a command shows of a parameter, after a line was typed.
+/// Text that the fill-in sheet of a command shows for a parameter, after a line was typed.
 #[track_caller]
 fn shown_after(line: &str, parameter: usize) -> String {
     let shop = shop(100.0, &[]);

@@ -1,4 +1,4 @@
-//! How the open file stands, how far what runs is, and where the tool is in it.
+//! State of the open file, progress of the run, and the place of the tool in the file.
 
 use crate::support::{Page, shop};
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! How a file ran last, and how long what runs takes yet.
+//! Last run of a file, and the time that a run takes yet.
 
 use crate::support;
 use crate::support::{Page, kept, shop};
@@ -121,7 +121,7 @@ fn a_file_with_another_name_has_run() {
     }
 }
 
-/// What ran is the file, not its text.
+/// A run belongs to the file, not to its text.
 #[test]
 fn a_copy_of_a_file_that_ran_has_not_run() {
     let shop = shop(50.0, &[("a.sbp", PART), ("copy.sbp", PART)]);

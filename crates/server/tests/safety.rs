@@ -1,4 +1,4 @@
-//! Who is let in, and who may move the machine.
+//! Rights: to be let in, and to move the machine.
 
 use crate::support;
 use crate::support::{Page, Shop, Wanted, builders, shop, start};

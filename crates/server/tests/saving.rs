@@ -13,7 +13,7 @@ fn does(shop: &Shop, clauses: &str) {
     assert_eq!(draw(shop, &json!({ "op": "do", "clauses": clauses })).status, 200, "{clauses}");
 }
 
-/// Why nothing was done; nothing when it was.
+/// Reason that nothing was done; nothing when it was.
 fn why(answer: &Answer) -> Value {
     answer.json()["why"].clone()
 }

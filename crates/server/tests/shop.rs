@@ -1,4 +1,4 @@
-//! What pages ask of the shop besides driving: how a file is run, its folder, the recorder, watched
+//! Requests of pages to the shop besides driving: the run parameters of a file, its folder, the recorder, watched
 //! variables, switches of the simulated machine, the configuration.
 
 use crate::support;

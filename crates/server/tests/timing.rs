@@ -15,7 +15,7 @@ fn timing(shop: &Shop, page: &mut Page, name: &str) -> Value {
     shop.get(&address(page)).json()
 }
 
-/// Where the chart of the open file is.
+/// Address of the open file's chart.
 fn address(page: &Page) -> String {
     format!("/api/preview/{}/timing", page.shown["opened"]["preview"]["key"].as_str().unwrap())
 }

@@ -14,7 +14,7 @@ use kerf_program::{AXES, Axis};
 pub struct Leg {
     /// The axis.
     pub axis: Axis,
-    /// Which of its motors moved.
+    /// Motor of the machine that moved.
     pub which: Which,
     /// Beginning and end, seconds.
     pub span_s: [f64; 2],

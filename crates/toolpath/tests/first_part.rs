@@ -64,7 +64,7 @@ fn a_part_that_comes_free_before_its_holes_by_an_order_set_by_hand_is_told() {
     assert_eq!(told(&format!("{PLATES}; sequence auto 0,0")), Vec::<String>::new());
 }
 
-/// What is told of the tag of a square outside of which a tool of 6 mm goes.
+/// Notes on the tag of a square outside of which a tool of 6 mm goes.
 fn tag(words: &str) -> Vec<String> {
     told(&format!("line 50,0 100,0 100,100 0,100 0,0 close; set black offset=3 cutter=6 {words}"))
 }

@@ -18,8 +18,8 @@ fn near(value: f64, expected: f64) {
     assert!((value - expected).abs() < 1e-3, "{value} is not {expected}");
 }
 
-/// Whether what a tool of that radius leaves at a place hangs together with the sheet's edge, seen on a
-/// grid of a millimetre over −50 … 200 in both directions.
+/// Tells whether the material that a tool of that radius leaves at a place hangs together with the sheet's edge, seen
+/// on a grid of a millimetre over −50 … 200 in both directions.
 fn hangs_on(paths: &[Polyarc], radius: f64, at: (i32, i32)) -> bool {
     let cuts = Indexed::new(paths);
     let cut = |(x, y): (i32, i32)| cuts.is_nearer(Point2::new(f64::from(x), f64::from(y)), radius);

@@ -1,4 +1,4 @@
-//! What a person should look at before cutting.
+//! Warnings that a person should look at before cutting.
 
 use crate::families;
 use kerf_drawing::{Drawing, Editor, Shape, script};
@@ -81,7 +81,7 @@ fn what_leaves_the_table_is_told_once() {
     assert_eq!(right, ["shape 1 at 60,0: leaves the table: 10.000 mm at the right"]);
 }
 
-/// What is told of the helices of a drawing, and how the tool goes down to the path of its first shape.
+/// Checks the notes on the helices of a drawing, and the tool's way down to the path of its first shape.
 fn check_helix(words: &str, expected: &[&str], plunge: Plunge) {
     check(words, expected);
     let (job, _) = job(&drawn(words)).unwrap();

@@ -1,4 +1,4 @@
-/** Whether a closed shape crosses itself. */
+/** Finds out if a closed shape crosses itself. */
 
 import Flatbush from "flatbush";
 import { meetings, type Segment, segmentBox } from "./segment";
@@ -18,7 +18,7 @@ export function crossesItself({ segments, closed }: Shape): boolean {
   });
 }
 
-/** Whether two segments meet elsewhere than in an end that they share. */
+/** Tells whether two segments meet elsewhere than in an end that they share. */
 function crosses(a: Segment, b: Segment | undefined): boolean {
   if (!b) return false;
   return meetings(a, b).some((met) => !(isEnd(met, a) && isEnd(met, b)));

@@ -124,10 +124,10 @@ export function bulgeThrough(from: Place, to: Place, apex: Place): number {
   return long === 0 ? 0 : (-2 * cross(chord, minus(apex, from))) / long;
 }
 
-/** Whether a share lies on the segment. */
+/** Tells whether a share lies on the segment. */
 const onIt = (share: number): boolean => share > -1e-9 && share < 1 + 1e-9;
 
-/** Where two segments meet. */
+/** Places at which two segments meet. */
 export function meetings(a: Segment, b: Segment): Place[] {
   const [lineA, lineB] = [isLine(a), isLine(b)];
   if (lineA && lineB) return lineMeetsLine(a, b);

@@ -118,7 +118,7 @@ function firstVariant({ variants }: OperationEntry, arrays: readonly ArrayState[
   return String(found >= 0 && arrays.some(repeats) ? found : 0);
 }
 
-/** What came of it: why it was not done, or what was noticed although it was. */
+/** Result of an operation: the reason of a refusal, or notes on one that was done. */
 interface Told {
   readonly refused: boolean;
   readonly texts: readonly string[];

@@ -7,7 +7,7 @@ import { t } from "../../words/words";
 import { isWrong, type Read, readAngle, readLength, readNumber } from "../entry";
 import { num } from "../tools/tool";
 
-/** What is entered for each part; a word alone is `on` or blank. */
+/** Entry for each part; a word alone is `on` or blank. */
 export type Entries = readonly string[];
 
 export interface Given {
@@ -16,7 +16,7 @@ export interface Given {
   readonly selected: readonly number[];
 }
 
-/** What a form shows first: shapes that are selected, and words that are usual. */
+/** First entries of a form: shapes that are selected, and words that are usual. */
 export const firstEntries = (parts: readonly OperationPart[], given: Given): Entries =>
   parts.map((part) => firstEntry(part, given));
 
@@ -67,7 +67,7 @@ function nameOf(value: OperationValue | null): string {
   return (value && named[value.is]) ?? "";
 }
 
-/** What stands before each field; the same words twice are counted. */
+/** Labels of the fields; the same words twice are counted. */
 export function labelsOf(parts: readonly OperationPart[]): string[] {
   const found: string[] = [];
   for (const { lead, value } of parts) {

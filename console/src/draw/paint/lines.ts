@@ -16,7 +16,7 @@ export interface Lines {
   readonly path: Path2D;
 }
 
-/** What was made for a picture, as long as the picture lives. */
+/** Lines that were made for a picture, as long as the picture lives. */
 const made = new WeakMap<Picture, Made>();
 
 interface Made {
@@ -24,7 +24,7 @@ interface Made {
   readonly index: Flatbush | null;
 }
 
-/** When less than this share of the shapes is in sight, only those are stroked. */
+/** Share of the shapes below which only those in sight are stroked. */
 const few = 0.3;
 
 /** The lines to be stroked, from the bottom upwards. */

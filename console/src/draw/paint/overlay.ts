@@ -1,4 +1,4 @@
-/** What moves with the mouse: highlight, ghost of a change, region, snaps. */
+/** Paints what moves with the mouse: highlight, ghost of a change, region, snaps. */
 
 import type { Segment } from "../geometry/segment";
 import type { Shape } from "../geometry/shape";
@@ -20,7 +20,7 @@ export interface Overlay {
   /** Segments of the path so far, and the one to the mouse. */
   readonly path: readonly Segment[];
   readonly region: { readonly from: Place; readonly to: Place } | null;
-  /** Where a click would be, when a snap found something else than the mouse. */
+  /** Place that a click would give, when a snap found another than the mouse's. */
   readonly snap: Place | null;
   readonly pointer: Place | null;
   /** The selection radius is drawn while a snap is armed, pixels. */

@@ -132,7 +132,7 @@ function SpaceCanvas({ items, space }: { items: readonly Item[]; space: Space })
   return <canvas ref={canvas} className="sheet-canvas" />;
 }
 
-/** Where the mouse is: on the z-plane, or along the side. */
+/** Shows the place of the mouse: on the z-plane, or along the side. */
 function SpaceStatus({ space }: { space: Space }) {
   const unit = useLengthUnit();
   const text = (value: number) => numberText(mm(value), unit);

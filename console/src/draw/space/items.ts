@@ -1,4 +1,4 @@
-/** What is seen of a drawing in space: shapes and paths at their heights, the levels, the machine. */
+/** Items of a drawing in space: shapes and paths at their heights, the levels, the machine. */
 
 import type { Bounds, Vec3 } from "../../view/camera";
 import type { GroupState, ZHeights } from "../../wire/messages";
@@ -22,13 +22,13 @@ export type Item =
       readonly ink: Token;
       readonly line: readonly Vec3[];
     }
-  /** Where the machine is. */
+  /** Place of the machine. */
   | { readonly kind: "machine"; readonly at: Vec3; readonly ink: Token };
 
 export interface Setting {
   readonly groups: readonly GroupState[];
   readonly heights: ZHeights;
-  /** Where the tool is: the drawing's X and Y, Z from the machine's home. */
+  /** Place of the tool: the drawing's X and Y, Z from the machine's home. */
   readonly machine: Vec3 | null;
 }
 
@@ -51,7 +51,7 @@ function raised({ kind, shape, ink, dash }: Stroke, { groups, heights }: Setting
 const machineItems = ({ machine }: Setting): Item[] =>
   machine ? [{ kind: "machine", at: machine, ink: "--view-tool" }] : [];
 
-/** How far the frames of the levels stand off from the drawing: a share of its size. */
+/** Distance of the levels' frames from the drawing: a share of its size. */
 const margin = 0.06;
 
 function levelItems({ box }: Scene, { top, surface, bottom }: ZHeights): Item[] {

@@ -50,7 +50,7 @@ const lines = (found: readonly Item[]): (readonly Vec3[])[] =>
 const heights = (found: readonly Item[]) =>
   lines(found).map((line) => [...new Set(line.map(([, , z]) => z))]);
 
-/** Where a place is seen: to the right and upwards from the middle of what is looked at. */
+/** Place in the picture: to the right and upwards from the middle of what is looked at. */
 function inView(aspect: Aspect, [x, y, z]: Vec3): [number, number] {
   const { right, up } = axesOf(seen(aspect).camera);
   const along = (way: Vec3) => way[0] * x + way[1] * y + way[2] * z;

@@ -83,7 +83,7 @@ export function readout(space: Space): Place | null {
   return place(at[0] + towards[0] * far, at[1] + towards[1] * far);
 }
 
-/** Where the mouse is along the picture's two axes of the drawing, in a view from the side or end. */
+/** Place of the mouse along the picture's two axes of the drawing, in a view from the side or end. */
 export function profile(space: Space): { readonly along: number; readonly z: number } | null {
   if (!space.pointer || !isProfile(space)) return null;
   const at = under(space, space.pointer);
@@ -125,7 +125,7 @@ export function zoomedTo(space: Space, pixel: Place, factor: number): Space {
   return { ...centred, camera: zoom(centred.camera, factor, 0, 0) };
 }
 
-/** What is under a pixel in the middle of the window, at the same size (S). */
+/** Moves the place under a pixel into the middle of the window, at the same size (S). */
 export function centredOn(space: Space, pixel: Place): Space {
   const { x, y } = middleOf(space.size);
   return { ...planeAt(space, pixel), camera: pan(space.camera, x - pixel.x, y - pixel.y) };

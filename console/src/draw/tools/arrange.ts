@@ -20,7 +20,7 @@ const shapes = { ask: "shapes", prompt: t("Shapes") } as const;
 const basePlace = { ask: "place", prompt: t("Base place") } as const;
 const target = { ask: "place", prompt: t("Where it goes") } as const;
 
-/** What the arrow keys turned, as an operation about the place where the shapes went. */
+/** Turn by the arrow keys, as an operation about the place where the shapes went. */
 const turning = (turned: number, about: string): string =>
   wrapped(turned) === 0 ? "" : `; rotate ${num(wrapped(turned))} about ${about}`;
 

@@ -12,7 +12,7 @@ import {
 } from "./running";
 import { larger, smaller, turnedOn, wrapped } from "./turn";
 
-/** What a hand does. */
+/** Input of a hand: a click, a key, a typed value. */
 type Input =
   | { at: [number, number] }
   | { shape: number; on?: [number, number] }

@@ -22,7 +22,7 @@ export interface Running {
   /** The end of an arc whose bulge follows the mouse. */
   readonly bending: Place | null;
   readonly snap: SnapKey | null;
-  /** What the arrow keys turned, degrees. */
+  /** Turn by the arrow keys, degrees. */
   readonly turned: number;
 }
 
@@ -30,7 +30,7 @@ export interface Running {
 export interface Step {
   readonly running: Running | null;
   readonly clauses?: string;
-  /** What the tool wants to be seen. */
+  /** Box that the tool brings into sight. */
   readonly look?: Box;
 }
 

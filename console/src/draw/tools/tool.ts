@@ -1,5 +1,5 @@
 /**
- * What a tool asks for, as data.
+ * Tools of the desk, as data.
  *
  * A tool asks a few things in order: shapes, places, numbers. When all are given it is a text of
  * drawing operations, the same that `kerf draw --do` reads. Nothing else changes a drawing.
@@ -52,7 +52,7 @@ export type Answer =
   | { readonly kind: "region"; readonly from: Place; readonly to: Place }
   | { readonly kind: "number"; readonly value: number };
 
-/** What is drawn of a change before it is made. */
+/** Drawing of a change before it is made. */
 export type Ghost =
   | { readonly kind: "none" }
   | { readonly kind: "segments"; readonly segments: readonly Segment[] }

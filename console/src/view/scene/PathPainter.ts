@@ -23,7 +23,7 @@ import { PathLines } from "./pathLines";
 import { PathMaterial } from "./pathMaterial";
 import { TableLines } from "./tableLines";
 
-/** How long the picture has to stand before all of it is drawn, milliseconds. */
+/** Time that the picture has to stand before all of it is drawn, milliseconds. */
 const stillMs = 160;
 /** Vertices up to which a path is drawn wide, when it stands and while it moves. */
 const wideUpTo = 60_000;
@@ -121,7 +121,7 @@ export class PathPainter {
     this.#moved();
   }
 
-  /** What is cut of the material, once all is that is made. */
+  /** Area that is cut of the material, once all is that is made. */
   get bared(): Bared | null {
     return this.#bared;
   }

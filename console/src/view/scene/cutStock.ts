@@ -29,7 +29,7 @@ export class CutStock {
     return all;
   }
 
-  /** What is cut so far. */
+  /** Area that is cut so far. */
   bared(): Bared | null {
     return this.#stock.bared();
   }

@@ -1,4 +1,4 @@
-/** What the page tells the painter of its tool path, and what it hears back. */
+/** Messages between the page and the painter of its tool path, in both directions. */
 
 import type { PreviewInfo } from "../../wire/messages";
 import type { Camera, Size } from "../camera";
@@ -27,7 +27,7 @@ export type Order =
   | { readonly do: "simulate"; readonly on: boolean }
   | { readonly do: "jogs"; readonly drawn: boolean };
 
-/** What the painter tells: a picture is done; whether the path that was shown last is whole; what is cut. */
+/** Message of the painter: a picture is done; the path shown last is whole or not; the area that is cut. */
 export interface Told {
   readonly pictures: number;
   readonly whole: boolean;

@@ -23,7 +23,7 @@ function geometryOf(piece: Piece): BufferGeometry {
 
 const nothing = new Float32Array(0);
 
-/** What the graphics card has is not kept a second time. */
+/** Frees the page's copy of an attribute once the graphics card has it. */
 function kept(attribute: BufferAttribute): BufferAttribute {
   return attribute.onUpload(() => {
     attribute.array = nothing;

@@ -1,4 +1,4 @@
-/** How a tool path is painted: what is made, what is still to be cut, jogs dashed, gaps not at all. */
+/** Paints a tool path: cuts that are made, cuts that are to come, jogs dashed, gaps not at all. */
 
 import { Color, GLSL3, RawShaderMaterial } from "three";
 import type { Palette } from "./palette";

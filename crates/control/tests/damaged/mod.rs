@@ -62,7 +62,7 @@ pub fn check(bytes: &[u8]) {
     }
 }
 
-/// Whether a file is there with something in it.
+/// Tells whether a file is there with something in it.
 fn holds(file: &Path) -> bool {
     fs::metadata(file).is_ok_and(|file| file.len() > 0)
 }

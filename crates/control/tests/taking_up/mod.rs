@@ -230,7 +230,7 @@ pub fn near(a: &Location, b: &Location) -> bool {
     (a.x - b.x).abs() + (a.y - b.y).abs() + (a.z - b.z).abs() < 1e-9
 }
 
-/// What follows the point at which the run was taken up.
+/// Events that follow the point at which the run was taken up.
 pub fn behind(events: &[Event]) -> &[Event] {
     let at = events.iter().rposition(|e| matches!(e, Event::Resume { .. })).expect("a resume");
     &events[at..]
@@ -246,7 +246,7 @@ pub fn same_rest(whole: &[Event], rest: &[Event], line: u32) -> MoveEvent {
     first
 }
 
-/// When a line of the uninterrupted run is half made.
+/// Time at which a line of the uninterrupted run is half made, s.
 pub fn middle(whole: &[Event], line: u32) -> f64 {
     let made = whole.iter().filter_map(motion).find(|made| made.line == line).unwrap();
     0.5 * (made.t0 + made.t1)
@@ -268,7 +268,7 @@ pub fn job(machine: impl FnOnce(&mut Configuration)) -> Work {
     Work::Job(Arc::new(job), Arc::new(configuration))
 }
 
-/// What the operator is asked when a job is taken up that was cut short at a time, and what comes on then.
+/// Takes up a job that was cut short at a time: the question to the operator, and the outputs that come on then.
 pub fn asked_and_switched(at_s: f64) -> (String, Vec<String>) {
     let folder = tempdir().unwrap();
     let (_, status) = run_work(&folder, job(|_| ()), &mut PowerCut(at_s), &mut ());
@@ -284,7 +284,7 @@ pub fn asked_and_switched(at_s: f64) -> (String, Vec<String>) {
     (question.text.clone(), switched.collect())
 }
 
-/// What was asked.
+/// Questions that were asked.
 pub fn asked(events: &[Event]) -> Vec<&str> {
     events
         .iter()
@@ -303,14 +303,14 @@ pub fn press(folder: &TempDir, number: u8, on: bool) {
     AtRest(&mut session).press(Press { number, on }, &mut workspace);
 }
 
-/// Where the machine stands.
+/// Location at which the machine stands.
 pub fn stands(folder: &TempDir) -> Axes {
     let (journal, _) = Journal::open(folder.path()).unwrap();
     let (session, _) = Session::recall(&journal, &mut workspace(&journal, folder)).unwrap();
     session.memory.position
 }
 
-/// When the operator is asked whether all is ready.
+/// Question to the operator whether all is ready.
 pub const READY: &str =
     "Output 1 comes on, the tool goes back to where the cut ended. Is everything ready?";
 

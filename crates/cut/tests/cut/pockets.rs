@@ -1,5 +1,5 @@
-//! What a pocket removes: the cutter's disc, swept along the moves at one level, must cover the
-//! pocket and must not leave it. Looked at point by point on a grid, in inches.
+//! Area that a pocket removes: the cutter's disc, swept along the moves at one level, must cover the pocket and must
+//! not leave it. Looked at point by point on a grid, in inches.
 
 use crate::common::{cc, cr, legs, nearest, origin};
 use kerf_cut::{Context, Cut, Step};

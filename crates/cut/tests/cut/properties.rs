@@ -1,4 +1,4 @@
-//! What holds for every cut: shapes on their circles, turned and mirrored alike.
+//! Properties of every cut: shapes on their circles, turned and mirrored alike.
 
 use crate::common::origin;
 use kerf_cut::*;
@@ -236,5 +236,5 @@ proptest! {
     }
 }
 
-/// What the crate takes as the same place, mm.
+/// Distance below which the crate takes two places as the same, mm.
 const SAME: f64 = 2.6e-4;

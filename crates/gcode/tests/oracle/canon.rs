@@ -19,7 +19,7 @@ pub enum Move {
 }
 
 impl Move {
-    /// Where it ends.
+    /// End of the move.
     pub fn to(&self) -> &[f64; 6] {
         match self {
             Self::Straight { to, .. } | Self::Arc { to, .. } | Self::Other { to } => to,

@@ -2,7 +2,7 @@
 
 use super::canon::Move;
 
-/// How far places may be apart, mm: rounding to four decimals of an inch, of place and offsets.
+/// Most distance between two places, mm: rounding to four decimals of an inch, of place and offsets.
 const CLOSE_MM: f64 = 0.006;
 
 fn close(a: &[f64; 6], b: &[f64; 6]) -> bool {

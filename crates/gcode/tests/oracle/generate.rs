@@ -2,10 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-/// How much larger than parts they are; see the head of the test.
+/// Factor by which programs are larger than parts; see the head of the test.
 pub const SCALE: f64 = 10_000.0;
 
-/// How many are compared, a third of them with cutter compensation; ten times as many agree too.
+/// Number of programs that are compared, a third of them with cutter compensation; ten times as many agree too.
 pub const PROGRAMS: u64 = 90;
 
 /// A small generator of numbers: the same on every machine.

@@ -30,7 +30,7 @@ fn is_installed() -> bool {
     Command::new("rs274").arg("-h").output().is_ok()
 }
 
-/// What the other interpreter makes of a file; `None` when it finds an error or takes too long.
+/// Moves that the other interpreter makes of a file; an error when it finds one or takes too long.
 fn theirs(file: &Path, folder: &Path, scale: f64) -> Result<Vec<Move>, String> {
     let (table, out) = (folder.join("tool.tbl"), folder.join("out.txt"));
     // The table is in inches. Programs that just stop are ended, which it asks for.
@@ -57,7 +57,7 @@ fn theirs(file: &Path, folder: &Path, scale: f64) -> Result<Vec<Move>, String> {
     Ok(canon::parse(&std::fs::read_to_string(out).unwrap()))
 }
 
-/// What Kerf makes of a file.
+/// Moves that Kerf makes of a file.
 fn ours(file: &Path, scale: f64) -> Result<Vec<Move>, String> {
     let program = read("oracle.ngc".into(), &std::fs::read(file).unwrap());
     if let Some(error) = program.diagnostics.iter().find(|d| d.is_error()) {

@@ -2,7 +2,7 @@
 
 use super::generate::SCALE;
 
-/// What they are about, and their blocks; lengths in mm of a part.
+/// Subjects of the programs, and their blocks; lengths in mm of a part.
 pub const WRITTEN: [(&str, &str); 10] = [
     (
         "arcs in three planes",

@@ -5,8 +5,8 @@ use crate::close;
 use crate::shop::Shop;
 use kerf_driver_grbl::fake::Solid;
 
-/// What a program of the Probe with these entries tells, begun where the controller stands; and X, Y and Z that the tool
-/// reads afterwards, mm.
+/// Runs a program of the Probe with these entries, begun where the controller stands: its words, and X, Y and Z that
+/// the tool reads afterwards, mm.
 fn found(entries: &str, solid: Solid) -> (String, [f64; 3]) {
     let (shop, bench) = (
         Shop::new(&[("where.sbp", "PRINT %(1) * 25.4;\" \";%(2) * 25.4;\" \";%(3) * 25.4\n")]),

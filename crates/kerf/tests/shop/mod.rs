@@ -25,7 +25,7 @@ pub struct Shop {
     folder: TempDir,
 }
 
-/// What a command did.
+/// Result of a command.
 pub struct Did {
     output: Output,
 }
@@ -96,7 +96,7 @@ impl Shop {
 }
 
 impl Did {
-    /// What a command that was started otherwise did.
+    /// Takes the result of a command that was started otherwise.
     pub fn of(output: Output) -> Self {
         Self { output }
     }

@@ -81,8 +81,8 @@ impl Driver {
         assert_eq!(self.act(json!({ "do": "arm", "lease": lease })), None, "armed");
     }
 
-    /// How long a stop took to be heard in the middle of a move; nothing where it came too late or the page was
-    /// thrown out meanwhile.
+    /// Presses STOP in the middle of a move and times it until it is heard; nothing where it came too late or the
+    /// page was thrown out meanwhile.
     pub fn stop(&mut self, patience: Duration) -> Option<(Instant, Instant)> {
         self.turn += 1;
         let way = if self.turn.is_multiple_of(2) { WAY_IN } else { -WAY_IN };
@@ -114,7 +114,7 @@ impl Driver {
         self.send(act)
     }
 
-    /// When a press was heard, on STOP's own way where there is one.
+    /// Moment at which a press was heard, on STOP's own way where there is one.
     fn heard(&mut self, id: u64, patience: Duration) -> Option<Instant> {
         let Some(own) = &mut self.own else {
             return self.replied(id, patience).map(|_| Instant::now());

@@ -7,12 +7,12 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How long it sleeps at a time.
+/// Time that it sleeps at once.
 const STEP: Duration = Duration::from_millis(1);
 /// Sleeping longer by so much is usual.
 const USUAL: Duration = Duration::from_millis(1);
 
-/// When the host stood still.
+/// Stretches of time in which the host stood still.
 #[derive(Clone, Default)]
 pub struct Host {
     stalls: Arc<Mutex<Vec<(Instant, Instant)>>>,
@@ -46,7 +46,7 @@ impl Host {
         }
     }
 
-    /// How long a core stood still between two moments, whichever it was.
+    /// Time that a core stood still between two moments, whichever it was.
     pub fn stood_still(&self, from: Instant, to: Instant) -> Duration {
         let part = |(begin, end): &(Instant, Instant)| ((*begin).max(from), (*end).min(to));
         let mut parts: Vec<_> = self.stalls.lock().unwrap().iter().map(part).collect();

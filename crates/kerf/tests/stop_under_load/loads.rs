@@ -1,4 +1,4 @@
-//! What keeps a server busy, bounded in number and time: each load is a few threads of low priority that end when
+//! Loads that keep a server busy, bounded in number and time: each is a few threads of low priority that end when
 //! they are told to.
 
 use super::shop::{ask, socket, with_role};
@@ -19,7 +19,7 @@ pub struct Load {
     threads: Vec<JoinHandle<()>>,
 }
 
-/// Whether a load goes on.
+/// Flag that stays true as long as a load goes on.
 #[derive(Clone)]
 pub struct Going {
     over: Arc<AtomicBool>,
@@ -117,7 +117,7 @@ fn frame(text: &str) -> Vec<u8> {
     [&[0x81], &length[..], &[0; 4], text.as_bytes()].concat()
 }
 
-/// Whether a socket has nothing to read, or no room to write, for now.
+/// Tells whether a socket has nothing to read, or no room to write, for now.
 pub fn waits(error: &std::io::Error) -> bool {
     matches!(error.kind(), std::io::ErrorKind::WouldBlock | std::io::ErrorKind::TimedOut)
 }

@@ -32,7 +32,7 @@ use table::Row;
 /// Longest until a stop is heard, and what 99 of 100 keep.
 const BOUND: Duration = Duration::from_millis(100);
 const USUAL: Duration = Duration::from_millis(50);
-/// What 99 of 100 keep when nothing else is asked.
+/// Time that 99 of 100 stops keep when nothing else is asked.
 const ALONE: Duration = Duration::from_millis(5);
 /// Most memory of the server, bytes.
 const MEMORY: u64 = 500 << 20;
@@ -111,7 +111,7 @@ fn stop_is_heard_under_every_load() {
     assert!(usual <= USUAL, "p99 of all {usual:?}");
 }
 
-/// Where the page of benchmarks has the table.
+/// First and last line of the table in the page of benchmarks.
 const BEGIN: &str = "<!-- make bench RECORD=1 writes STOP from here -->";
 const END: &str = "<!-- STOP to here -->";
 

@@ -28,7 +28,7 @@ pub struct Shop {
     _folder: TempDir,
 }
 
-/// What a device is known by: its number among the paired ones.
+/// Token by which a device is known: its number among the paired ones.
 pub fn token(device: usize) -> String {
     format!("{device:064x}")
 }

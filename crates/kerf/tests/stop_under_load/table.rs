@@ -2,10 +2,10 @@
 
 use std::time::Duration;
 
-/// What was measured under one load.
+/// Measurements under one load.
 pub struct Row {
     pub load: &'static str,
-    /// How long each stop took to be heard, without what the host stood still.
+    /// Time until each stop was heard, without the time that the host stood still.
     heard: Vec<Duration>,
     /// With it.
     raw: Vec<Duration>,

@@ -11,7 +11,7 @@ use kerf_trace::{Event, json};
 use kerf_workspace::{Workspace, stored::Stored};
 use std::path::PathBuf;
 
-/// What came of a run.
+/// Result of a run.
 pub struct Ended {
     /// `ok`, `ended`, `stopped`, `failed CODE LINE` or `limit CODE`.
     pub told: String,

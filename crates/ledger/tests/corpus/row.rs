@@ -6,7 +6,7 @@ use kerf_sbp::{Dialect, Value};
 /// The list.
 const FILES: &str = include_str!("files.txt");
 
-/// How one file is run.
+/// Way in which one file is run.
 #[derive(Clone, Debug)]
 pub struct Row {
     /// Name in the corpus.

@@ -16,7 +16,7 @@ const MAKER: &str = "fablab-5ax";
 /// Files that others name and the corpus does not have: our own, as short as they can be.
 const STAND_INS: &str = include_str!("stand_ins.txt");
 
-/// Where a file lies.
+/// File with the path at which it lies.
 struct Placed {
     name: String,
     source: String,
@@ -70,12 +70,12 @@ impl Tree {
         self.files.iter().map(|file| file.name.as_str())
     }
 
-    /// What a file of the corpus holds.
+    /// Content of a file of the corpus.
     pub fn bytes(&self, file: &str) -> &[u8] {
         &self.placed(file).bytes
     }
 
-    /// Where a file of the corpus lies now.
+    /// Path at which a file of the corpus lies now.
     pub fn path(&self, file: &str) -> PathBuf {
         self.root.path().join(&self.placed(file).path)
     }

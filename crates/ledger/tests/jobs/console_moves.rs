@@ -5,7 +5,7 @@ use kerf_ledger::jobs::t1;
 use kerf_machine::settings::motors::FreeMotor;
 use kerf_program::{Axis, AxisSet};
 
-/// Where the motions of the last functions ended.
+/// Ends of the motions of the last functions.
 fn ends(console: &HandConsole) -> Vec<&str> {
     console.moves.iter().filter_map(|made| made.split_once(' ')).map(|(_, end)| end).collect()
 }

@@ -10,7 +10,7 @@ fn told(trace: &JobTrace) -> Vec<String> {
     trace.edges().into_iter().chain(trace.moves()).chain(trace.states()).collect()
 }
 
-/// What a run has to show somewhere.
+/// Checks that a run shows these lines somewhere.
 fn shows(run: JobRun, expected: &[&str]) {
     let told = told(&run.run());
     for event in expected {

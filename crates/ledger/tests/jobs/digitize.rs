@@ -32,7 +32,7 @@ fn drive(way: &[Leg], x: f64, y: f64) -> JobRun {
     run.at(300.0 + x, 200.0 + y, -5.0)
 }
 
-/// What was moved, from the job origin: `to 10,10`, `cw 90 about 5,0 to 0,0`.
+/// Moves from the job origin: `to 10,10`, `cw 90 about 5,0 to 0,0`.
 fn ways(trace: &JobTrace) -> Vec<String> {
     let r = |v: f64| (v * 1e6).round() / 1e6 + 0.0;
     let end =

@@ -24,7 +24,7 @@ fn plate() -> Job {
     ])
 }
 
-/// What a run warns of, each with the number of the shape in front.
+/// Warnings of a run, each with the number of the shape in front.
 fn told(run: JobRun) -> Vec<String> {
     let trace = run.run();
     let first_move = trace.events.iter().position(|event| matches!(event, Event::Move(_)));

@@ -12,7 +12,7 @@ fn black_and_red(red: &str) -> JobRun {
     JobRun::new(drawn(&clauses))
 }
 
-/// What is said when a group is set so.
+/// Words that refuse a setting of a group.
 fn refused(setting: &str) -> String {
     let mut editor = Editor::default();
     let operations = script(&format!("set red {setting}")).expect("a script");

@@ -7,7 +7,7 @@ use kerf_machine::settings::height::HeightMode;
 use kerf_sim::Sheet;
 use kerf_trace::Event;
 
-/// How exact proportional height control is, mm.
+/// Accuracy of proportional height control, mm.
 const ACCURACY_MM: f64 = 0.1;
 
 /// Lines along X, ten millimetres apart, every other one backwards.

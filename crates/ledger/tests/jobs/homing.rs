@@ -15,12 +15,12 @@ fn home(letters: &str) -> JobRun {
     JobRun::hand(Errand::FindHome(axes(letters))).unhomed()
 }
 
-/// Where motions ended.
+/// Ends of the motions.
 fn ends(trace: &JobTrace) -> Vec<String> {
     trace.moves().iter().map(|made| made.split_once(' ').unwrap().1.to_owned()).collect()
 }
 
-/// How far an axis goes when a key is held.
+/// Distance that an axis goes when a key is held.
 fn reach(trace: &JobTrace, axis: usize, way: i8, machine: &dyn Fn(&mut Configuration)) -> f64 {
     let mut ways = [0; 6];
     ways[axis] = way;
@@ -104,7 +104,7 @@ fn pro_homing_auto_job() {
     assert_eq!(order(&at_start("", "").run()), "");
 }
 
-/// How a run looks with homing before it: how often it begins and ends, and what its input told.
+/// Homing before a job is part of one run: it begins and ends once, and its input is told.
 #[test]
 fn pro_homing_auto_job__is_one_run() {
     let pressed = |run: JobRun| run.input(Input::EndBottomDelay, 0.5, true);

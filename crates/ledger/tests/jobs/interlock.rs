@@ -1,5 +1,5 @@
-//! What keeps a job or a move by hand from going on: stops that come while it is stopped already, stop inputs and
-//! the emergency stop while somebody is asked, homing that does not come to its end.
+//! Interlocks of a job or a move by hand: stops that come while it is stopped already, stop inputs and the emergency
+//! stop while somebody is asked, homing that does not come to its end.
 
 use kerf_ledger::jobs::{JobRun, JobTrace, job, square, t1};
 use kerf_machine::lines::Input;
@@ -44,7 +44,7 @@ fn a_stop_input_while_the_tool_rises_holds_a_move_by_hand_until_it_is_released()
     assert_eq!(between, 0, "nothing moves before it is released: {:?}", released.moves());
 }
 
-/// When the router goes on.
+/// Times at which the router goes on, s.
 fn router_on(trace: &JobTrace) -> Vec<f64> {
     let edges = trace.edges().into_iter().filter(|edge| edge.ends_with("router+"));
     edges.map(|edge| edge.split(' ').next().unwrap().parse().unwrap()).collect()

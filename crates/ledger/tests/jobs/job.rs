@@ -365,7 +365,7 @@ fn pro_options_doublestart() {
     assert_eq!(cut(&two), [1, 2]);
 }
 
-/// What the profiles do with the same line, and how a punch hits points.
+/// Compares the profiles on the same line, and shows a punch that hits points.
 #[test]
 fn pro_misc_tools__what_each_does_with_a_line() {
     let run = |name: &str| {
@@ -425,7 +425,7 @@ fn pro_motors_z2() {
     assert_eq!(two.changes("a_pos"), two.changes("z_pos"), "z2 follows z, step for step");
 }
 
-/// Where a count of steps ends.
+/// End of a count of steps.
 fn last(signals: &Signals, name: &str) -> i64 {
     let changes = signals.changes(name);
     let bits = &changes.last().expect("steps").1[1..];
@@ -481,7 +481,7 @@ fn pro_motors_z2__adjusted_where_it_was_homed() {
     );
 }
 
-/// Where each cut of an array goes down, in order.
+/// Places at which each cut of an array goes down, in order.
 fn plunges(drawing: &str) -> Vec<[f64; 2]> {
     let trace = JobRun::new(kerf_ledger::jobs::drawn(drawing)).run();
     let down = |event: &kerf_trace::Event| match event {

@@ -12,7 +12,7 @@ fn ends(trace: &JobTrace) -> Vec<String> {
     moves.iter().map(|m| m.split_once(' ').map_or("", |(_, end)| end).to_owned()).collect()
 }
 
-/// How long a move takes, by where it ends, seconds.
+/// Duration of the move that ends there, seconds.
 fn seconds(trace: &JobTrace, end: &str) -> f64 {
     let moves = trace.moves();
     let found = moves.iter().find(|it| it.ends_with(end)).unwrap_or_else(|| panic!("{moves:?}"));

@@ -15,7 +15,7 @@ fn marked() -> JobRun {
     JobRun::new(drawn(MARKED))
 }
 
-/// What is told from a moment on, seconds.
+/// Lines that are told from a moment on, seconds.
 fn from(told: Vec<String>, from_s: f64) -> Vec<String> {
     let time = |text: &String| text.split([' ', '-']).next().and_then(|t| t.parse::<f64>().ok());
     told.into_iter().filter(|text| time(text).is_some_and(|t| t >= from_s)).collect()

@@ -9,7 +9,7 @@ use std::task::Poll;
 pub struct Patient {
     /// The answer, when the operator has one.
     pub answer: Option<String>,
-    /// What was asked, as often as it was.
+    /// Questions that were asked, as often as they were.
     pub asked: Vec<String>,
 }
 

@@ -13,7 +13,7 @@ fn not_raised(say: &str) -> JobTrace {
     JobRun::new(t1()).with(|machine| machine.pause.raise = false).stop(5.34).say(say).run()
 }
 
-/// What happens after a moment.
+/// Lines that are told after a moment, seconds.
 fn after(told: Vec<String>, from_s: f64) -> Vec<String> {
     let time = |text: &String| text.split([' ', '-']).next().and_then(|t| t.parse::<f64>().ok());
     told.into_iter().filter(|text| time(text).is_some_and(|t| t >= from_s)).collect()

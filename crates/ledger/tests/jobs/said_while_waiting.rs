@@ -1,4 +1,4 @@
-//! What a job is told while it waits: what cannot be is refused, and nothing is passed over in silence.
+//! Requests to a job while it waits: impossible ones are refused, and nothing is passed over in silence.
 
 use kerf_ledger::jobs::{JobRun, JobTrace, t1, t2};
 use kerf_program::Status;

@@ -12,7 +12,7 @@ use std::sync::LazyLock;
 /// The signals of JOB-T1, made once for all tests.
 static T1: LazyLock<Signals> = LazyLock::new(|| JobRun::new(t1()).signals());
 
-/// When an output of JOB-T1 was on, milliseconds.
+/// Checks when an output of JOB-T1 was on, milliseconds.
 fn check(name: &str, expected: &[(u64, u64)]) {
     assert_eq!(T1.on(name), expected, "{name}");
 }

@@ -11,7 +11,7 @@ fn run(run: JobRun, edges: &[&str], moves: &[&str]) -> JobTrace {
     trace
 }
 
-/// What a run has to show somewhere, in this order.
+/// Checks that a run shows these lines somewhere, in this order.
 fn shows(run: JobRun, expected: &[&str]) {
     let trace = run.run();
     let told: Vec<String> = trace.edges().into_iter().chain(trace.moves()).collect();

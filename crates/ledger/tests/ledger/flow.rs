@@ -2,7 +2,7 @@
 
 use kerf_ledger::{Run, run, sbp};
 
-/// When X 4 is reached on the way from 0 to 10 with default ramps and speed, seconds.
+/// Time at which X 4 is reached on the way from 0 to 10 with default ramps and speed, seconds.
 ///
 /// From 0.4 in/s at 14 in/s² to 2 in/s: 0.1142857 s over 0.1371429 in; the rest at 2 in/s.
 const AT_X4_S: f64 = 1.6 / 14.0 + (4.0 - 3.84 / 28.0) / 2.0;

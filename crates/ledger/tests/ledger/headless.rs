@@ -2,7 +2,7 @@
 
 use kerf_ledger::{Run, at, run, sbp};
 
-/// What UV shows of a V command after a program.
+/// Lines of UV about a V command after a program.
 fn shows(program: &str, letters: &str) -> String {
     let run = run(&format!("{program} ⏎ UV"));
     let told = run.is_ok().events("message").last().expect("UV tells").clone();

@@ -2,7 +2,7 @@
 
 use kerf_ledger::{Run, run, sbp};
 
-/// When Z begins to move by itself, stops, and how fast.
+/// Times at which Z begins to move by itself and stops, and its speed.
 fn rides(run: &Run) -> Vec<(f64, f64)> {
     let number = |e: &serde_json::Value, key: &str| e[key].as_f64().unwrap();
     let z = run.events("independent").filter(|e| e["axis"] == "Z");

@@ -3,10 +3,10 @@
 use kerf_ledger::{Run, run, sbp};
 use kerf_model::CABLE;
 
-/// When `MX,10` at the default speed passes X 4: .13714 in of ramp in .11429 s, then 2 in/s.
+/// Time at which `MX,10` at the default speed passes X 4: .13714 in of ramp in .11429 s, then 2 in/s.
 const AT_X4: f64 = 0.114_285_714 + (4.0 - 0.137_142_857) / 2.0;
 
-/// Where a ramped stop that begins at X 4 ends.
+/// End of a ramped stop that begins at X 4.
 const RAMPED: f64 = 4.137_142_857;
 
 fn stops(run: &Run) -> Vec<&str> {

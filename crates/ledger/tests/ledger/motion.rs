@@ -7,7 +7,7 @@ fn times(run: &Run) -> Vec<[f64; 2]> {
     run.is_ok().events("move").map(|m| [time(m, "t0"), time(m, "t1")]).collect()
 }
 
-/// Whether the machine stands after the first move: then it lasts as long as alone.
+/// Tells whether the machine stands after the first move: then it lasts as long as alone.
 fn stands_after_first(program: &str) -> bool {
     let first = times(&run(program))[0];
     let alone = times(&run("MX,5"))[0];

@@ -94,7 +94,7 @@ fn sbp_ext_tr__without_a_device_the_operator_sets_it() {
     sbp("TR,9000").run().asks(&[]);
 }
 
-/// When the light is switched, and to what.
+/// Times at which the light is switched, s, and to what.
 fn lights(run: &kerf_ledger::Run) -> Vec<(f64, bool)> {
     let light = |e: &serde_json::Value| (e["t"].as_f64().unwrap(), e["on"].as_bool().unwrap());
     run.events("light").map(light).collect()

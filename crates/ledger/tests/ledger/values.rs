@@ -324,8 +324,8 @@ fn sbp_val_vu_divider() {
     run("VU,,,,,,,,,,,,,,,101").fails(1, "R009");
 }
 
-/// Where along Y 0 material stands at least so high after the cuts of a run, sampled every
-/// thousandth of an inch; the material's surface is at Z 0.
+/// Places along Y 0 at which material stands at least so high after the cuts of a run, sampled every thousandth of an
+/// inch; the material's surface is at Z 0.
 fn standing(run: &kerf_ledger::Run, cutter: f64, height: f64) -> f64 {
     let ends = run.is_ok().events("move").map(|m| &m["to"]);
     let ends: Vec<[f64; 2]> =

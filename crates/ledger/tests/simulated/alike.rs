@@ -1,6 +1,6 @@
-//! Whether two curves are the same: the distance that somebody on the one and somebody on the other
-//! keep at least when both walk to the end and nobody goes back (Alt and Godau 1995, the decision on the
-//! free space of two polygonal curves).
+//! Decides if two curves are the same: the distance that somebody on the one and somebody on the other keep at least
+//! when both walk to the end and nobody goes back (Alt and Godau 1995, the decision on the free space of two
+//! polygonal curves).
 //!
 //! ```text
 //!   places of b   ┌────┬────┬───╱┐   a cell: a line of a against a line of b;
@@ -16,7 +16,7 @@ pub type Point = [f64; 3];
 /// From and to on a line, as shares of it.
 type Range = (f64, f64);
 
-/// How far two curves are the same.
+/// Longest stretches of two curves that are the same.
 #[derive(Debug, Default)]
 pub struct Common {
     /// To the ends of both.
@@ -57,7 +57,7 @@ pub fn compare(a: &[Point], b: &[Point], apart: f64) -> Common {
 }
 
 impl Common {
-    /// What a column of the free space says: a place of the first against all of the second.
+    /// Takes note of a column of the free space: a place of the first against all of the second.
     fn note(&mut self, i: usize, column: &[(usize, Range)], others: usize) {
         for (j, range) in column {
             self.furthest = self.furthest.max((i, j + 1));
@@ -79,7 +79,7 @@ fn first_column(at: Point, b: &[Point], apart: f64) -> Vec<(usize, Range)> {
     column
 }
 
-/// What is reached of the lines of `b` at the end of a line of `a`, given what is at its beginning.
+/// Parts of the lines of `b` that are reached at the end of a line of `a`, given those at its beginning.
 fn next_column(
     line: [Point; 2],
     b: &[Point],
@@ -113,7 +113,7 @@ fn next_column(
     reached
 }
 
-/// What of a line is no further from a place than that.
+/// Part of a line that is no further from a place than that.
 fn free([from, to]: [Point; 2], at: Point, apart: f64) -> Option<Range> {
     let way = minus(to, from);
     let off = minus(from, at);
@@ -137,7 +137,7 @@ fn dot(a: Point, b: Point) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// How far two places are apart, mm.
+/// Distance between two places, mm.
 pub fn distance(a: Point, b: Point) -> f64 {
     dot(minus(a, b), minus(a, b)).sqrt()
 }

@@ -23,7 +23,7 @@ const GIVES_UP: u64 = 0x5eed_0003;
 /// The same of what came last.
 const WIDER: u64 = 0x5eed_0004;
 
-/// What is run.
+/// Program or job that is run.
 #[derive(Clone, Debug)]
 pub enum What {
     Part { name: &'static str, text: String },
@@ -37,7 +37,7 @@ pub struct Case {
     pub what: What,
     /// Settings of the session.
     pub settings: Settings,
-    /// What the inputs do, by the share of the time that the run takes when nothing happens.
+    /// Changes of the inputs, by the share of the time that the run takes when nothing happens.
     pub inputs: Vec<(u8, f64, bool)>,
     pub requests: Vec<(f64, OperatorRequest)>,
     /// The share of all that a run does after which its process dies, one by one.
@@ -45,9 +45,9 @@ pub struct Case {
     /// Somebody moved the machine by hand, and told where it is now.
     pub pushed: Vec<Axes>,
     pub sheet: Option<Sheet>,
-    /// What the wall clock says when it starts.
+    /// Wall clock at its start.
     pub started: Started,
-    /// Which of the questions after a stop are answered with Quit, counted from the first; then it is taken up
+    /// Numbers of the questions after a stop that are answered with Quit, counted from the first; then it is taken up
     /// again.
     pub gives_up: Vec<u32>,
 }
@@ -84,7 +84,7 @@ impl Case {
         case
     }
 
-    /// What was thought of later: earlier seeds stay what they were.
+    /// Varies what was thought of later: earlier seeds stay what they were.
     fn vary(&mut self, dice: &mut Dice) {
         if let What::Job(_, machine) = &mut self.what {
             machine.height.invert = dice.in_percent(30);
@@ -102,7 +102,7 @@ impl Case {
         }
     }
 
-    /// What happens to it.
+    /// Adds inputs and requests that happen to it.
     fn happen(&mut self, dice: &mut Dice) {
         for _ in 0..dice.of(&[0, 0, 1, 2]) {
             let request = match dice.below(8) {
@@ -144,14 +144,14 @@ impl Case {
         }
     }
 
-    /// Whether the path is the same whenever the process dies: nothing changes it on the way.
+    /// Tells whether the path is the same whenever the process dies: nothing changes it on the way.
     pub fn keeps_its_path(&self) -> bool {
         let early = |(_, at, _): &(u8, f64, bool)| *at == 0.0;
         self.inputs.iter().all(early)
             && !self.requests.iter().any(|(_, w)| *w == OperatorRequest::End)
     }
 
-    /// Whether heights of the path are planned ones.
+    /// Tells whether heights of the path are planned ones.
     pub fn keeps_heights(&self) -> bool {
         match &self.what {
             What::Job(_, machine) => !machine.height.on && !machine.plasma.use_sequence,
@@ -159,13 +159,13 @@ impl Case {
         }
     }
 
-    /// Whether a sheet is followed, by a sensor that leads the head to it.
+    /// Tells whether a sheet is followed, by a sensor that leads the head to it.
     pub fn follows_sheet(&self) -> bool {
         let What::Job(_, machine) = &self.what else { return false };
         machine.height.on && !machine.plasma.use_sequence
     }
 
-    /// Whether the tool goes down along the path of a shape by plan: not where the sheet is followed, or felt
+    /// Tells whether the tool goes down along the path of a shape by plan: not where the sheet is followed, or felt
     /// where the cut begins.
     pub fn slopes(&self, number: u32) -> bool {
         let What::Job(job, machine) = &self.what else { return true };
@@ -175,7 +175,7 @@ impl Case {
         !machine.plasma.use_sequence && !followed
     }
 
-    /// Whether a way down along the path is begun again when the machine stops on it.
+    /// Tells whether a way down along the path is begun again when the machine stops on it.
     pub fn ramps(&self, number: u32) -> bool {
         let What::Job(job, _) = &self.what else { return false };
         let shape = job.shapes.iter().find(|shape| shape.number == number);
@@ -191,7 +191,7 @@ impl Case {
         }
     }
 
-    /// How it is run when it takes so long by itself, seconds.
+    /// Options of the run when it takes so long by itself, seconds.
     pub fn options(&self, takes_s: f64) -> RunOptions {
         let change = |&(input, at, on): &(u8, f64, bool)| Change { input, at_s: at * takes_s, on };
         let mut options = RunOptions {

@@ -26,7 +26,7 @@ impl Dice {
         ((low + (high - low) * self.0.share()) * 1e3).round() / 1e3
     }
 
-    /// Whether something happens that does so in so many of a hundred cases.
+    /// Tells whether something happens that does so in so many of a hundred cases.
     pub fn in_percent(&mut self, percent: u32) -> bool {
         self.0.in_percent(percent)
     }

@@ -5,7 +5,7 @@ use crate::simulated::watch::Seen;
 use kerf_trace::Event;
 use std::collections::BTreeMap;
 
-/// Where the sheet is followed heights are as good as the sensor, and the head runs on, mm.
+/// Tolerance of heights on a sheet that is followed, mm: they are as good as the sensor, and the head runs on.
 const NEAR: f64 = 0.5;
 
 /// The number under which ZTop goes: no shape has it.
@@ -22,7 +22,7 @@ impl Levels {
         levels
     }
 
-    /// What was seen as well.
+    /// Adds the levels of another process.
     pub fn add(&mut self, seen: &Seen) {
         for piece in &seen.pieces {
             [piece.from, piece.to].iter().for_each(|at| self.reaches(piece.line, at[2]));

@@ -22,7 +22,7 @@ use std::path::Path;
 use std::sync::Arc;
 use tempfile::TempDir;
 
-/// What a case came to.
+/// Result of a case.
 pub struct Lived {
     pub kills: u64,
     pub resumes: u64,
@@ -101,7 +101,7 @@ impl Clock for AtOnce {
     }
 }
 
-/// Whether something is cut in the plane.
+/// Tells whether something is cut in the plane.
 fn cuts_flat(going: &Going<'_>) -> bool {
     going.made().is_some_and(|made| {
         let flat = is_flat(made.from.first3(), made.to.first3(), made.arc().is_some());
@@ -109,7 +109,7 @@ fn cuts_flat(going: &Going<'_>) -> bool {
     })
 }
 
-/// Where the machine comes by from one moment to another, in the middle of a cut in the plane.
+/// Places that the machine comes by from one moment to another, in the middle of a cut in the plane.
 fn cut_under_way(from_s: f64, to_s: f64, going: &Going<'_>) -> Vec<Axes> {
     let ends_s = going.t0_s + going.plan.span_s(going.index).1;
     if !cuts_flat(going) || to_s > ends_s - 1e-6 {
@@ -133,7 +133,7 @@ const PATIENCE: u32 = 60;
 struct Helpful<'a> {
     doom: &'a Doom,
     asked: u32,
-    /// How many more times he is asked after a stop before he gives up, for each time that he does.
+    /// Number of times that he is asked after a stop before he gives up, for each time that he does.
     gives_up: &'a RefCell<Vec<u32>>,
     gave_up: bool,
 }
@@ -179,12 +179,12 @@ struct Life<'a> {
     takes_s: f64,
 }
 
-/// What a process left.
+/// Remains of a process.
 struct Process {
     seen: Seen,
     /// `None`: it was killed.
     summary: Option<Summary>,
-    /// Where it began and where it ended.
+    /// Locations at its begin and at its end.
     from: Axes,
     to: Axes,
     took_up: bool,
@@ -194,7 +194,7 @@ struct Process {
     over_early: bool,
     /// He gave up, and the run can be taken up.
     put_off: bool,
-    /// Where it died, when that was in the middle of a cut.
+    /// Places at which it may have died, when that was in the middle of a cut.
     under_way: Vec<Axes>,
     /// Something was cut in the plane.
     cut: bool,
@@ -382,7 +382,7 @@ impl<'a> Life<'a> {
     }
 }
 
-/// What a process did, for whoever looks for the reason of a failure (KERF_SIM_TALK).
+/// Prints the events of a process, for whoever looks for the reason of a failure (KERF_SIM_TALK).
 fn talk(seen: &Seen) {
     if std::env::var_os("KERF_SIM_TALK").is_some() {
         eprintln!("--- a process");
@@ -404,7 +404,7 @@ pub fn live(case: &Case) -> Lived {
     killed(case, takes_s, &whole)
 }
 
-/// Where a sheet is followed it is followed at the same heights, whatever happens.
+/// Checks that a sheet which is followed is followed at the same heights, whatever happens.
 fn same_levels(case: &Case, usual: &Process, levels: &Levels) {
     if case.keeps_its_path() && case.follows_sheet() {
         let left = Levels::of(&usual.seen).left_by(levels);

@@ -26,13 +26,13 @@ use kerf_ledger::traces::{self, Traces};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Mutex;
 
-/// How many runs are made unless KERF_SIM_RUNS says otherwise.
+/// Number of runs unless KERF_SIM_RUNS says otherwise.
 const RUNS: u64 = 200;
 
 /// The first seed of wider programs; those below were run before there were any, and stay what they were.
 const FIRST_WIDER: u64 = 10_000_000;
 
-/// How many of those are made unless KERF_SIM_RUNS says otherwise.
+/// Number of those runs unless KERF_SIM_RUNS says otherwise.
 const WIDER_RUNS: u64 = 100;
 
 /// Seeds that found something once.
@@ -43,7 +43,7 @@ const FOUND: &[u64] = &[
     9350361, 9404970, 9413044, 9414598, 9416074, 9446704, 9450458, 9457248, 9504240, 9511112,
 ];
 
-/// What the runs came to.
+/// Totals of the runs.
 #[derive(Debug, Default)]
 struct Count {
     runs: u64,

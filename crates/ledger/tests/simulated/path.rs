@@ -18,7 +18,7 @@ const MOST_WAYS: usize = 32;
 /// Arcs are compared by chords that lie so far beside them, mm.
 const CHORD: f64 = 1e-3;
 
-/// Whether a way is one in the plane. One down that was stopped in a smoothed corner begins beside its line.
+/// Tells whether a way is one in the plane. One down that was stopped in a smoothed corner begins beside its line.
 pub fn is_flat(from: [f64; 3], to: [f64; 3], turns: bool) -> bool {
     let along = (to[0] - from[0]).hypot(to[1] - from[1]);
     let plunges = along < NEAR && (to[2] - from[2]).abs() > 10.0 * along;
@@ -33,12 +33,12 @@ pub struct Piece {
     pub arc: Option<Arc2>,
     /// The line of the program, or the number of the shape.
     pub line: u32,
-    /// How far it leads down by the plan, mm.
+    /// Height that it leads down by the plan, mm.
     down_mm: f64,
 }
 
 impl Piece {
-    /// What a move cuts in the plane, if anything.
+    /// Takes the piece that a move cuts in the plane, if it cuts one.
     pub fn of(made: &ExecutedMove<'_>) -> Option<Self> {
         let it = made.span.made;
         let (from, to) = (it.from.first3(), it.to.first3());
@@ -76,12 +76,12 @@ impl Piece {
 }
 
 impl Piece {
-    /// Whether it leads down by plan.
+    /// Tells whether it leads down by plan.
     pub fn goes_down(&self) -> bool {
         self.down_mm > SAME
     }
 
-    /// Whether it begins at one of these places, or between two of them.
+    /// Tells whether it begins at one of these places, or between two of them.
     pub fn begins_by(&self, places: &[Axes]) -> bool {
         let lay = |at: &Axes| {
             let [x, y, z] = at.first3();
@@ -108,7 +108,7 @@ impl Piece {
         Some(Self { from: at, arc: self.arc.map(|arc| turned(arc, 1.0 - share)), ..*self })
     }
 
-    /// How much of it lies before a place on it.
+    /// Share of it that lies before a place on it.
     fn share(&self, at: [f64; 3]) -> Option<f64> {
         let share = match self.arc {
             Some(arc) => {
@@ -223,7 +223,7 @@ fn track(path: &[Piece]) -> (Vec<Point>, Vec<usize>) {
     (places, on)
 }
 
-/// Where a way down along the path began that this piece begins again: one that was stopped on is made
+/// Finds the beginning of a way down along the path that this piece begins again: one that was stopped on is made
 /// from its start.
 fn begun_again(path: &[Piece], piece: &Piece) -> Option<usize> {
     let slope = path.iter().rev().take_while(|p| p.down_mm > SAME).count();
@@ -243,11 +243,11 @@ pub fn laid(pieces: &[Piece], heights: bool, slopes: impl Fn(u32) -> bool) -> Ve
     pieces.iter().map(lay).collect()
 }
 
-/// What was cut by processes that followed on each other: all that it may have been, for of the move under way
-/// a process that dies tells nothing.
+/// Cuts of processes that followed on each other: all that they may have been, for of the move under way a process
+/// that dies tells nothing.
 pub struct Done {
     ways: Vec<Vec<Piece>>,
-    /// Where it left the path.
+    /// Place at which it left the path.
     lost: Option<String>,
 }
 
@@ -276,7 +276,7 @@ impl Done {
         self.ways.truncate(MOST_WAYS);
     }
 
-    /// Where it differs from a path: to the end, or as far as both go.
+    /// Finds the place at which it differs from a path: to the end, or as far as both go.
     pub fn differs(&self, path: &[Piece], to_the_end: bool) -> Option<String> {
         let lost = self.lost.clone().filter(|_| to_the_end);
         let difference = |way: &Vec<Piece>| difference(path, way, to_the_end);
@@ -284,7 +284,7 @@ impl Done {
     }
 }
 
-/// What may have been done when the next process begins with a piece.
+/// Ways that may have been done when the next process begins with a piece.
 fn ways_on(done: &[Piece], first: &Piece, path: &[Piece]) -> Vec<Vec<Piece>> {
     let at = first.from;
     let mut ways = Vec::new();
@@ -301,7 +301,7 @@ fn ways_on(done: &[Piece], first: &Piece, path: &[Piece]) -> Vec<Vec<Piece>> {
     ways
 }
 
-/// What was made between the end of what was told and a place on the path.
+/// Piece that was made between the end of what was told and a place on the path.
 fn untold(done: &[Piece], path: &[Piece], at: [f64; 3]) -> Option<Piece> {
     let (done, path) = (once(done), joined(once(path)));
     let Some(last) = done.last() else { return path.first()?.up_to(at) };
@@ -315,7 +315,7 @@ fn untold(done: &[Piece], path: &[Piece], at: [f64; 3]) -> Option<Piece> {
     })
 }
 
-/// Where two paths differ: to their ends, or as far as both go.
+/// Finds the place at which two paths differ: to their ends, or as far as both go.
 fn difference(a: &[Piece], b: &[Piece], to_the_end: bool) -> Option<String> {
     let (a, b) = (once(a), once(b));
     let ((places, on), (others, other_on)) = (track(&a), track(&b));

@@ -1,4 +1,4 @@
-//! What has to hold at any time of any run.
+//! Watches what has to hold at any time of any run.
 
 use crate::simulated::path::Piece;
 use kerf_machine::lines::Output;
@@ -28,7 +28,7 @@ pub struct Killed;
 #[derive(Debug, Default)]
 pub struct Doom(Cell<u64>);
 
-/// How much harder than allowed a stop on a smoothed path may brake.
+/// Factor by which a stop on a smoothed path may brake harder than allowed.
 const BRAKING: f64 = 1.05;
 
 /// Fewer things happen between two looks at the operator.
@@ -40,7 +40,7 @@ impl Doom {
         self.0.set(count);
     }
 
-    /// Whether it dies soon.
+    /// Tells whether it dies soon.
     pub const fn is_near(&self) -> bool {
         matches!(self.0.get(), 1..SOON)
     }
@@ -58,7 +58,7 @@ impl Doom {
     }
 }
 
-/// What a run may do.
+/// Limits that a run has to keep.
 #[derive(Clone, Copy, Debug)]
 pub struct Allowed {
     /// Bounds of the machine frame, where there are any.
@@ -71,7 +71,7 @@ pub struct Allowed {
     pub feed: f64,
     /// Share by which rounding of the path may exceed it.
     pub hair: f64,
-    /// How far a move may begin beside the end of the one before: where a smoothed path is left.
+    /// Most distance between the end of a move and the beginning of the next, mm: where a smoothed path is left.
     pub jump_mm: f64,
     /// It is a job: the machine's states say which outputs may be on.
     pub job: bool,
@@ -86,7 +86,7 @@ pub struct Watch<'a> {
     pub seen: Seen,
 }
 
-/// What one process did.
+/// Record of one process.
 #[derive(Debug, Default)]
 pub struct Seen {
     /// Things that happened.
@@ -95,7 +95,7 @@ pub struct Seen {
     pub pieces: Vec<Piece>,
     /// Sum of all motion.
     pub way: Axes,
-    /// Where the last move ended.
+    /// End of the last move.
     pub at: Option<Axes>,
     /// Machine time of the last thing.
     pub t: f64,
@@ -108,12 +108,12 @@ pub struct Seen {
     draws: bool,
     /// Letters of axes that moved by themselves.
     alone: BTreeSet<char>,
-    /// How often the machine stopped by itself because something is wrong with the cut.
+    /// Number of times that the machine stopped by itself because something is wrong with the cut.
     pub faults: u32,
 }
 
 impl Seen {
-    /// What must be off, is.
+    /// Checks that the outputs which must be off are.
     #[track_caller]
     fn off(&self, outputs: &[Output], when: &str) {
         for output in outputs {
@@ -211,7 +211,7 @@ impl Sink for Watch<'_> {
 }
 
 impl Watch<'_> {
-    /// What every axis gains in speed from one look to the next is what it can.
+    /// Checks that no axis gains more speed from one look to the next than it can.
     fn accelerations(&self, made: &ExecutedMove<'_>) {
         let Some(most) = self.allowed.axis_mm_s2 else { return };
         let [from_s, to_s] = [made.span.t0_s, made.span.t1_s];

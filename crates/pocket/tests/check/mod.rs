@@ -1,4 +1,4 @@
-//! Whether paths clear a region, told by nothing but distances.
+//! Checks that paths clear a region, by nothing but distances.
 //!
 //! The region is covered with a grid of places. A place can be reached if a place of the grid where the
 //! tool's centre may be lies no farther away than the radius; it is cut if the path does. Both are
@@ -7,7 +7,7 @@
 
 use kerf_geom::{Bounds2, Indexed, Point2, Polyarc};
 
-/// What came out of a look at a grid.
+/// Result of a look at a grid.
 #[derive(Debug, Default)]
 pub struct Seen {
     /// Area that can be reached and is not cut, square millimetres.
@@ -18,7 +18,7 @@ pub struct Seen {
     pub largest_at: Point2,
     /// Area that can be reached.
     pub reached_mm2: f64,
-    /// How far the tool's edge comes out of the region at most, millimetres.
+    /// Most distance that the tool's edge comes out of the region, millimetres.
     pub out_mm: f64,
 }
 
@@ -95,7 +95,7 @@ fn dilated(set: &[bool], nx: usize, ny: usize, reach: f64) -> Vec<bool> {
     (0..nx * ny).map(near).collect()
 }
 
-/// How many cells the largest piece has, and one of them.
+/// Size of the largest piece in cells, and one of them.
 fn largest(set: &[bool], nx: usize, ny: usize) -> (usize, usize) {
     let mut seen = vec![false; set.len()];
     let mut most = (0, 0);
@@ -119,7 +119,7 @@ fn largest(set: &[bool], nx: usize, ny: usize) -> (usize, usize) {
     most
 }
 
-/// How far the edge of a tool whose centre follows paths comes out of the region.
+/// Distance that the edge of a tool whose centre follows paths comes out of the region.
 fn out(cuts: &Indexed, contours: &Indexed, radius: f64) -> f64 {
     let mut out: f64 = 0.0;
     for segment in cuts.segments() {

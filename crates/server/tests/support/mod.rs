@@ -39,7 +39,7 @@ pub fn rsm(clauses: &str) -> String {
     kerf_toolpath::write(&job)
 }
 
-/// Where the machine is, X Y Z of its own frame.
+/// Location of the machine, X Y Z of its own frame.
 pub fn at(page: &Page) -> [f64; 3] {
     [0, 1, 2].map(|axis| page.shown["motion"]["at"]["machine"][axis].as_f64().unwrap())
 }
@@ -70,13 +70,13 @@ pub struct Shop {
     pub dir: TempDir,
 }
 
-/// What a test changes of a machine.
+/// Change that a test makes to a machine.
 pub type Change = fn(&mut kerf_machine::Configuration);
 
 /// Attaches a controller to a workshop.
 pub type Attach = Arc<dyn Fn(&mut Workshop) + Send + Sync>;
 
-/// How a test's server differs from the usual.
+/// Differences of a test's server from the usual.
 pub struct Wanted {
     pub rate: f64,
     pub lan: bool,
@@ -489,7 +489,7 @@ impl Page {
         reply["problem"]["why"].as_str().map(str::to_owned)
     }
 
-    /// What the reply to a request says is wrong.
+    /// Problem that the reply to a request tells.
     #[track_caller]
     pub fn problem(&mut self, id: u64) -> String {
         self.until("a reply", |page| page.replies.iter().any(|r| r["id"] == id));

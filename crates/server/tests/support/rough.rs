@@ -6,7 +6,7 @@ use std::sync::mpsc::{Receiver, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How late messages of a link are.
+/// Delay of messages on a link.
 #[derive(Clone, Copy, Debug)]
 pub struct Roughness {
     /// Least and most, ms.

@@ -1,4 +1,5 @@
-//! Who may do what: every cell of the table is tried against a server, and the page of the book is what it said.
+//! Rights of every caller: every cell of the table is tried against a server, and the page of the book is what it
+//! said.
 
 mod rows;
 mod table;

@@ -5,7 +5,7 @@ use kerf_wire::{
 };
 use serde_json::{Value, json};
 
-/// How something is asked for.
+/// Way in which something is asked for.
 #[derive(Clone, Debug)]
 pub enum Asks {
     /// An act, with the number of the lease where it carries one.
@@ -23,7 +23,7 @@ pub enum Asks {
 /// A line of the table.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// What it is called there.
+    /// Name of the row in the table.
     pub name: String,
     pub asks: Asks,
 }

@@ -43,7 +43,7 @@ impl Line {
     }
 }
 
-/// What is told in every state, or each word with the states in which it is.
+/// Cell of the table: the one word told in every state, or each word with its states.
 fn cell(told: &[(char, String)]) -> String {
     let mut words: Vec<(&str, String)> = Vec::new();
     for (state, word) in told {
@@ -107,7 +107,7 @@ const STOPS: [&str; 7] = [
     "act `key` P (Stop)",
 ];
 
-/// What moves the machine, or makes it go on.
+/// Requests that move the machine, or make it go on.
 const MOVES: [&str; 21] = [
     "act `run`",
     "act `takeUp`",

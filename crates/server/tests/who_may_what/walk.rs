@@ -25,7 +25,7 @@ const LINES: [&str; 9] = [
     "VS,3",
 ];
 
-/// What is said to questions in walks.
+/// Answers to questions in walks.
 const WORDS: [&str; 12] = [
     "jog 0,400,0,0,0,0 1",
     "nudge x 1",
@@ -70,7 +70,7 @@ impl Table {
         Self(text.lines().filter_map(line).collect())
     }
 
-    /// What it says to a caller in a state; nothing of what is no line of it.
+    /// Word of the table for a caller in a state; nothing for a name that has no line.
     fn says(&self, name: &str, column: usize, state: char) -> Option<&str> {
         let cell = self.0.get(name)?.get(column)?;
         if !cell.contains(' ') {
@@ -81,7 +81,7 @@ impl Table {
     }
 }
 
-/// What can be seen of the machine.
+/// State of the machine that can be seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Seen {
     at: [f64; 3],
@@ -89,8 +89,8 @@ struct Seen {
     outputs: usize,
 }
 
-/// Where the tool stands is told exactly when what ran is over; while a question is open it is as it was seen last, a
-/// nap of the machine's thread before.
+/// Most distance, mm, between the tool and where it was seen last: its place is told exactly when what ran is over;
+/// while a question is open it is a nap of the machine's thread old.
 const NAP_MM: f64 = 12.0;
 
 impl Seen {
@@ -107,7 +107,7 @@ impl Seen {
     }
 }
 
-/// What may move the machine: the step in which it was asked for, and the question that it answers.
+/// Request that may move the machine: the step in which it was made, and the question that it answers.
 #[derive(Debug)]
 struct Licence {
     step: usize,
@@ -121,9 +121,9 @@ struct Walk {
     chance: Chance,
     licence: Option<Licence>,
     seen: Option<Seen>,
-    /// What was seen when nothing might move it any more.
+    /// State when nothing might move it any more.
     rest: Option<Seen>,
-    /// What was asked last, to be told where something is wrong.
+    /// Last requests, to be told where something is wrong.
     told: Vec<String>,
     moved: usize,
 }
@@ -144,7 +144,7 @@ impl Walk {
         }
     }
 
-    /// What is asked for next: its line in the table, and the act.
+    /// Chooses the next request: its line in the table, and the act.
     fn next(&mut self, shown: &Value, step: usize) -> (String, Value) {
         let asked = &shown["asked"];
         let lease = shown["lease"]["number"].as_u64().unwrap_or_default();
@@ -263,7 +263,7 @@ impl Walk {
     }
 }
 
-/// Whether something that whoever drives asks for may move the machine.
+/// Tells whether something that whoever drives asks for may move the machine.
 fn may_move(name: &str) -> bool {
     let acts = [
         "run", "takeUp", "resume", "command", "jogStart", "jogRenew", "lift", "nudge", "key",

@@ -8,7 +8,7 @@ use std::cell::RefCell;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Who does not come from the machine itself.
+/// Header of a request that does not come from the machine itself.
 const ELSEWHERE: (&str, &str) = ("X-Forwarded-For", "10.0.0.7");
 
 /// Longest wait for a state.
@@ -17,7 +17,7 @@ const PATIENCE: Duration = Duration::from_secs(60);
 /// So long a pause takes to be told.
 const SOON: Duration = Duration::from_millis(500);
 
-/// Who asks.
+/// Caller that asks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Caller {
     NoToken,
@@ -54,7 +54,7 @@ impl Caller {
     }
 }
 
-/// What the machine is doing.
+/// State of the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Doing {
     Disarmed,
@@ -133,7 +133,7 @@ impl Workshop {
         &self.devices[at]
     }
 
-    /// What pages show now.
+    /// Fetches the state that pages show now.
     pub fn shown(&self) -> Value {
         let answer = self.ask("GET /api/state", &self.devices[0], "");
         serde_json::from_slice(&answer.body).unwrap()
@@ -190,7 +190,7 @@ impl Workshop {
         }
     }
 
-    /// What a page of somebody is told who asks for that.
+    /// Answer at a page of somebody who asks for that.
     fn told_at_page(&self, caller: Caller, mut act: Value) -> String {
         if caller.drives() {
             let device = self.device(caller);
@@ -202,7 +202,7 @@ impl Workshop {
         }
     }
 
-    /// What somebody who asks for that is told while the machine does this, in a word: `+` for who may.
+    /// Answer to somebody who asks for that while the machine does this, in a word: `+` for who may.
     pub fn told(&mut self, row: &Row, caller: Caller, doing: Doing) -> String {
         let driver = if caller == Caller::SetterDriving { 5 } else { 4 };
         let shown = self.bring_to(row, driver, doing);

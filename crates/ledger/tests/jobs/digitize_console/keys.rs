@@ -1,4 +1,4 @@
-//! What each key does.
+//! Each key of the console, and its effect.
 
 use super::*;
 

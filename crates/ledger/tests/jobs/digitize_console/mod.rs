@@ -58,7 +58,7 @@ fn cur(console: &HandConsole) -> String {
     console.shows()[1].clone()
 }
 
-/// Where the tool is from the job origin.
+/// Place of the tool, from the job origin.
 fn tool(console: &HandConsole) -> [f64; 2] {
     let [x, y, _] = console.position();
     [x - 300.0, y - 200.0]
@@ -68,7 +68,7 @@ fn near(a: [f64; 2], b: [f64; 2]) -> bool {
     (a[0] - b[0]).hypot(a[1] - b[1]) < 1e-6
 }
 
-/// Where the lines and arcs of the last move ended, from the job origin, arcs with their way.
+/// Ends of the lines and arcs of the last move, from the job origin, arcs with their way.
 fn ways(console: &HandConsole) -> Vec<String> {
     let r = |v: f64| (v * 1e3).round() / 1e3 + 0.0;
     let end = |x: f64, y: f64| format!("{},{}", r(x - 300.0), r(y - 200.0));
