@@ -1,4 +1,4 @@
-//! Openings of doc comments: a comment begins with what the thing is or does, not with a question word or half a clause.
+//! Openings of doc comments, in crates, their tests and the console: a comment begins with what the thing is or does, not with a question word or half a clause.
 
 use crate::{Finding, Tree};
 use std::collections::BTreeMap;
@@ -9,10 +9,18 @@ const QUESTIONS: [&str; 14] = [
     "So many", "So often", "As it", "Of a",
 ];
 
-/// The largest share of a crate's doc comments that may open so, percent.
-const MOST_PERCENT: usize = 5;
+/// Sources whose doc comments are counted together.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Part<'a> {
+    /// Source of the crate of that name.
+    Crate(&'a str),
+    /// Tests of all crates from outside.
+    Tests,
+    /// Source and tests of the console, without the messages that are made from the server's.
+    Console,
+}
 
-/// The doc comments of a crate.
+/// The doc comments of a part.
 #[derive(Default)]
 struct Count<'a> {
     all: usize,
@@ -20,53 +28,105 @@ struct Count<'a> {
     questions: Vec<(&'a str, usize)>,
 }
 
-/// Findings about crates in which too many doc comments open with a question word.
+/// Findings about parts in which too many doc comments open with a question word.
 pub fn check(tree: &Tree) -> Vec<Finding> {
-    let mut crates: BTreeMap<&str, Count<'_>> = BTreeMap::new();
+    let mut parts: BTreeMap<Part<'_>, Count<'_>> = BTreeMap::new();
     for (path, text) in tree.texts() {
-        let Some(name) = crate_of(path) else { continue };
-        let count = crates.entry(name).or_default();
-        for (line, words) in openings(text) {
+        let Some(part) = Part::of(path) else { continue };
+        let count = parts.entry(part).or_default();
+        for (line, words) in part.openings(text) {
             count.all += 1;
             if is_question(words) {
                 count.questions.push((path, line));
             }
         }
     }
-    crates.iter().filter_map(|(name, count)| finding(name, count)).collect()
+    parts.iter().filter_map(|(part, count)| finding(*part, count)).collect()
 }
 
-fn finding(name: &str, Count { all, questions }: &Count<'_>) -> Option<Finding> {
+fn finding(part: Part<'_>, Count { all, questions }: &Count<'_>) -> Option<Finding> {
     let (path, line) = *questions.last()?;
-    let most = (all * MOST_PERCENT / 100).max(1);
-    let many = questions.len();
+    let most = (all * part.most_percent() / 100).max(1);
+    let (many, name) = (questions.len(), part.name());
     let message = format!(
-        "{many} of {all} doc comments of `{name}` open with a question word, {most} may: begin with what the thing is or does"
+        "{many} of {all} doc comments of {name} open with a question word, {most} may: begin with what the thing is or does"
     );
     (many > most).then(|| Finding::line(path, line, message))
 }
 
-/// Name of the crate whose source a path is.
-fn crate_of(path: &str) -> Option<&str> {
-    let (name, rest) = path.strip_prefix("crates/")?.split_once('/')?;
-    (rest.starts_with("src/") && path.ends_with(".rs")).then_some(name)
+impl<'a> Part<'a> {
+    /// Finds the part to which a path belongs.
+    fn of(path: &'a str) -> Option<Self> {
+        if let Some(rest) = path.strip_prefix("console/") {
+            let ours = rest.starts_with("tests/")
+                || (rest.starts_with("src/") && !rest.starts_with("src/wire/"));
+            return (ours && (path.ends_with(".ts") || path.ends_with(".tsx")))
+                .then_some(Self::Console);
+        }
+        let (name, rest) = path.strip_prefix("crates/")?.split_once('/')?;
+        match rest.split_once('/')?.0 {
+            _ if !path.ends_with(".rs") => None,
+            "src" => Some(Self::Crate(name)),
+            "tests" => Some(Self::Tests),
+            _ => None,
+        }
+    }
+
+    fn name(self) -> String {
+        match self {
+            Self::Crate(name) => format!("`{name}`"),
+            Self::Tests => "the crates' tests".into(),
+            Self::Console => "the console".into(),
+        }
+    }
+
+    /// The largest share of doc comments that may open with a question word, percent.
+    const fn most_percent(self) -> usize {
+        match self {
+            Self::Crate(_) => 5,
+            Self::Tests | Self::Console => 2,
+        }
+    }
+
+    /// Line number and text of the first line of each doc comment.
+    fn openings(self, text: &str) -> Vec<(usize, &str)> {
+        match self {
+            Self::Console => openings_in_stars(text),
+            Self::Crate(_) | Self::Tests => openings_in_slashes(text),
+        }
+    }
 }
 
-/// Line number and text of the first line of each doc comment.
-fn openings(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let words = |line: &'_ str| -> bool { comment(line).is_some() };
+/// Openings of comments whose lines begin with `///` or `//!`.
+fn openings_in_slashes(text: &str) -> Vec<(usize, &str)> {
     let mut inside = false;
-    text.lines().enumerate().filter_map(move |(n, line)| {
-        let begins = words(line) && !inside;
-        inside = words(line);
-        begins.then(|| (n + 1, comment(line).unwrap_or_default()))
-    })
+    let opening = |(n, line): (usize, _)| {
+        let words = comment(line);
+        let begins = words.filter(|_| !inside);
+        inside = words.is_some();
+        begins.map(|words| (n + 1, words))
+    };
+    text.lines().enumerate().filter_map(opening).collect()
 }
 
 fn comment(line: &str) -> Option<&str> {
     let line = line.trim_start();
     let words = line.strip_prefix("///").or_else(|| line.strip_prefix("//!"))?;
     Some(words.trim_start())
+}
+
+/// Openings of comments between `/**` and `*/`; the words may begin in the line below.
+fn openings_in_stars(text: &str) -> Vec<(usize, &str)> {
+    let lines: Vec<&str> = text.lines().map(str::trim_start).collect();
+    lines
+        .iter()
+        .enumerate()
+        .filter_map(|(n, line)| {
+            let words = line.strip_prefix("/**")?.trim_start();
+            let below = || lines.get(n + 1).map(|line| line.trim_start_matches(['*', ' ']));
+            Some((n + 1, if words.is_empty() { below()? } else { words }))
+        })
+        .collect()
 }
 
 fn is_question(words: &str) -> bool {
@@ -95,5 +155,28 @@ mod tests {
         );
         assert!(told(&"/// Whatsoever is a word of its own.\nfn f() {}\n".repeat(20)).is_empty());
         assert_eq!(told(&"/// So many lines are kept.\nfn f() {}\n".repeat(20)).len(), 1);
+    }
+
+    #[test]
+    fn the_crates_tests_and_the_console_may_have_fewer() {
+        let told = |path: &str, question: &str, statement: &str| {
+            let text = [&question.repeat(3), &*statement.repeat(97)].concat();
+            let found = check(&Tree::of(&[(path, &text)]));
+            found.iter().map(Finding::to_string).collect::<String>()
+        };
+        let (asks, says) = ("/// Where it ends.\nfn f() {}\n", "/// End of it.\nfn f() {}\n");
+        let found = told("crates/a/tests/all.rs", asks, says);
+        assert!(found.contains("3 of 100 doc comments of the crates' tests"), "{found}");
+        assert_eq!(told("crates/a/src/lib.rs", asks, says), "");
+        let says = "/** End of it. */\nconst a = 1;\n";
+        for asks in
+            ["/** Where it ends. */\nconst a = 1;\n", "/**\n * Where it ends.\n */\nconst a = 1;\n"]
+        {
+            for path in ["console/src/a.ts", "console/tests/a.tsx"] {
+                let found = told(path, asks, says);
+                assert!(found.contains("3 of 100 doc comments of the console"), "{path}: {found}");
+            }
+            assert_eq!(told("console/src/wire/messages.ts", asks, says), "");
+        }
     }
 }
