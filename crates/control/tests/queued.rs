@@ -154,6 +154,8 @@ impl World {
             self.pass();
             self.mourn();
             let heard = std::mem::take(&mut self.heard);
+            let faults = heard.iter().find(|answer| matches!(answer, Answer::News(News::Fault(_))));
+            assert!(faults.is_none(), "the board is not ready: {faults:?}");
             let ready = heard.into_iter().find_map(|answer| match answer {
                 Answer::News(News::Ready { version, counts }) => Some((version, counts)),
                 _ => None,

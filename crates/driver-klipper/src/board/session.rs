@@ -172,6 +172,9 @@ impl Session {
         }
         channel.questions.clear();
         channel.send(Order::ClearShutdown, [])?;
+        if channel.clock.is_none() {
+            channel.ask(About::Uptime, Order::Uptime, [])?;
+        }
         Ok(channel.ask(About::Config, Order::Config, [])?)
     }
 
@@ -179,8 +182,10 @@ impl Session {
     fn told_config(&mut self, message: &Message<'_>) -> Told {
         let number = |field| message.number(field).unwrap_or_default();
         if number("is_shutdown") != 0 {
-            // A command that is refused tells the reason.
-            return Ok(self.channel.ask(About::Position(0), Order::Position, [0])?);
+            // A command that is refused tells the reason. An answer from before the shutdown was cleared, to a question that was
+            // asked twice on a bad line, leaves the board unasked: so it is asked again.
+            self.channel.ask(About::Position(0), Order::Position, [0])?;
+            return Ok(self.channel.ask(About::Config, Order::Config, [])?);
         }
         let crc = self.configured.crc;
         match (number("is_config") != 0, number("crc") == crc, self.learning) {
