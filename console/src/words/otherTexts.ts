@@ -4,9 +4,9 @@
 export const notForPages: Readonly<Record<string, RegExp>> = {
   // Documentation of routes, answers to scripts, the page of roles, vector pictures, names of locks.
   server:
-    /^(?:http\/(?:routes|assets|rest|language|preview|registry)|who_may_what|thumbnails|preview\/thumbnail|bench|locks|lib|handconsole\/happening)\.rs/,
+    /^(?:http\/(?:routes|assets|rest|language|preview|registry)|who_may_what|thumbnails|preview\/thumbnail|testing|locks|lib|handconsole\/happening)\.rs/,
   // Answers from a script, and the questions of `kerf machine wire`, for which the page has forms.
-  control: /^(?:asking|controller\/sent|controller\/queued\/wizard\/question)\.rs/,
+  control: /^(?:asking|controller\/sent_tests|controller\/queued\/wizard\/question)\.rs/,
   "driver-grbl": /^fake/,
   "driver-linuxcnc": /^fake/,
   // Words of the protocol.

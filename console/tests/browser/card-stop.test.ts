@@ -78,8 +78,13 @@ it("pro_misc_doublestart: the sheet says where the head is, and Start goes from 
   expect(words).not.toContain("stands over the beginning");
   if (process.env.SHOTS) await page.screenshot({ path: `${process.env.SHOTS}/double-start.png` });
   await dialog.getByRole("button", { name: "Start", exact: true }).click();
-  await until(async () => (await stateOf(workshop)).motion.cutting, "it cuts");
-  expect((await stateOf(workshop)).motion.line).toBe(1);
+  let line = 0;
+  await until(async () => {
+    const { motion } = await stateOf(workshop);
+    line = motion.line;
+    return motion.cutting;
+  }, "it cuts");
+  expect(line).toBe(1);
   await until(async () => (await stateOf(workshop)).job?.ended === "ok", "the job is done");
   await doubleStart("no");
 });

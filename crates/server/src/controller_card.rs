@@ -4,8 +4,8 @@
 //! said to the controller. So STOP is heard whatever the file is like.
 
 use crate::asker::Asker;
+use crate::file_kind::kind_of;
 use crate::hub::Hub;
-use crate::kind::kind_of;
 use crate::loader::Loader;
 use crate::locks::lock;
 use crate::machine::Order;
