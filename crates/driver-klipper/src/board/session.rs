@@ -32,6 +32,8 @@ pub struct Session {
     pub shutdown: bool,
     configured: Configured,
     learning: Learning,
+    /// The reason of a shutdown from before the session that is being cleared, and how many answers from before have come.
+    clearing: Option<(String, u32)>,
     buttons: Buttons,
     pub drivers: Drivers,
 }
@@ -53,6 +55,7 @@ impl Session {
             shutdown: false,
             configured,
             learning: Learning::Asked,
+            clearing: None,
             buttons: Buttons::default(),
             drivers: Drivers::default(),
         })
@@ -164,12 +167,17 @@ impl Session {
         Ok(())
     }
 
-    /// Clears a shutdown from before the session, once and where that is wanted.
+    /// Clears a shutdown from before the session, once and where that is wanted. A board that is told so twice shuts down.
     fn clear_at_first(&mut self, reason: String) -> Told {
+        if self.clearing.is_some() {
+            // The refusal of a command from before.
+            return self.is_stale();
+        }
         let channel = &mut self.channel;
         if !std::mem::take(&mut channel.options.clears) {
             return Err(Fault::ShutDown(reason));
         }
+        self.clearing = Some((reason, 0));
         channel.questions.clear();
         channel.send(Order::ClearShutdown, [])?;
         if channel.clock.is_none() {
@@ -178,15 +186,28 @@ impl Session {
         Ok(channel.ask(About::Config, Order::Config, [])?)
     }
 
+    /// An answer from before the shutdown was cleared, which is borne: on a bad line a question is asked twice.
+    fn is_stale(&mut self) -> Told {
+        match &mut self.clearing {
+            Some((_, stale)) if *stale < STALE => *stale += 1,
+            Some((reason, _)) => return Err(Fault::ShutDown(std::mem::take(reason))),
+            None => {}
+        }
+        Ok(())
+    }
+
     /// Reads the state of the configuration.
     fn told_config(&mut self, message: &Message<'_>) -> Told {
         let number = |field| message.number(field).unwrap_or_default();
         if number("is_shutdown") != 0 {
-            // A command that is refused tells the reason. An answer from before the shutdown was cleared, to a question that was
-            // asked twice on a bad line, leaves the board unasked: so it is asked again.
-            self.channel.ask(About::Position(0), Order::Position, [0])?;
-            return Ok(self.channel.ask(About::Config, Order::Config, [])?);
+            if self.clearing.is_some() {
+                self.is_stale()?;
+                return Ok(self.channel.ask(About::Config, Order::Config, [])?);
+            }
+            // A command that is refused tells the reason.
+            return Ok(self.channel.ask(About::Position(0), Order::Position, [0])?);
         }
+        self.clearing = None;
         let crc = self.configured.crc;
         match (number("is_config") != 0, number("crc") == crc, self.learning) {
             (true, true, _) => self.configured(number("move_count") as usize),
