@@ -61,9 +61,11 @@ fn folders() -> (Files, Files) {
         let console = Console::begin(&shop, &[]);
         let op = format!("{{\"op\":{{\"op\":\"do\",\"clauses\":\"{clauses}\"}}}}");
         let bytes = || fs::read(data.join("drawing.draft")).map_or(0, |it| it.len());
-        let before = bytes();
+        let mark = || fs::read(data.join("drawing.draft.mark")).ok();
+        let (before, marked) = (bytes(), mark());
         console.ask("POST /api/do/draw", &op);
-        until("the draft", || bytes() > before);
+        // The mark follows the file: a kill between both leaves a file of which an older copy is not noticed.
+        until("the draft and its mark", || bytes() > before && mark() != marked);
     };
     shop.kerf("machine set speeds.cut.xy 101.6").exits(0);
     shop.kerf("send MX,1 --quiet").exits(0);
