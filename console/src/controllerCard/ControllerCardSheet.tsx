@@ -108,7 +108,7 @@ interface ToldProps {
 /** Tells what is done on the card, and what became of it. */
 function Told({ card, last, asks, onClose }: ToldProps) {
   const words = useWords();
-  const { task, refused, replaces, notes } = card;
+  const { task, refused, replaces, kept, notes } = card;
   if (task) return <Doing {...{ task, asks }} />;
   return (
     <>
@@ -133,7 +133,7 @@ function Told({ card, last, asks, onClose }: ToldProps) {
           ))}
         </ul>
       )}
-      {last?.to === "keep" && refused.length === 0 && <Kept name={last.name} onClose={onClose} />}
+      {kept !== null && <Kept name={kept} onClose={onClose} />}
     </>
   );
 }
@@ -156,13 +156,12 @@ function Doing({
 /** A file was copied into the part folder, where its preview is made when it is opened. */
 function Kept({ name, onClose }: { name: string; onClose: () => void }) {
   const hands = useHands();
-  const bare = name.split("/").at(-1) ?? name;
   const open = async () => {
-    if (await request(worldOf(hands), { do: "open", name: bare })) onClose();
+    if (await request(worldOf(hands), { do: "open", name })) onClose();
   };
   return (
     <div className="controller-card-acts" role="status">
-      <span>{t("{0} is in the part folder.", bare)}</span>
+      <span>{t("{0} is in the part folder.", name)}</span>
       <Button onPress={() => void open()}>Open it: its preview is made</Button>
     </div>
   );

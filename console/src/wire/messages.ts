@@ -693,6 +693,8 @@ refused: Array<string>,
 replaces: string | null,
 /** Name of the file whose text the last task could not read back: it may be run unseen. */
 unread: string | null,
+/** Name of the file of the part folder into which the last task has copied one. */
+kept: string | null,
 /** Notes of the last task: what a conversion left out or made otherwise. */
 notes: Array<string>, };
 

@@ -36,9 +36,11 @@ const paused = (why: string) => page.getByRole("dialog", { name: why, exact: tru
 const previewed = () =>
   until(async () => (await stateOf(workshop)).opened?.preview.state === "ready", "previewed");
 
-/** Moves a switch of the card with the mouse, and sees it moved. */
+/** Moves a switch of the topmost sheet of inputs with the mouse, and sees it moved. Its list comes a moment after it. */
 async function press(number: number, on: boolean): Promise<void> {
-  const one = page.getByRole("switch", { name: `Input ${number}`, exact: true }).last();
+  const one = inputs()
+    .last()
+    .getByRole("switch", { name: `Input ${number}`, exact: true });
   await expect.poll(() => one.getAttribute("aria-checked")).toBe(String(!on));
   await one.click();
   await expect.poll(() => one.getAttribute("aria-checked")).toBe(String(on));

@@ -131,6 +131,7 @@ export const firstSnapshot = message<Snapshot>({
     refused: [],
     replaces: null,
     unread: null,
+    kept: null,
     notes: [],
   },
   tools: { tools: [], inSpindle: 0, hasSensor: false, findsHome: true },

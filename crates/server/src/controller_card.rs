@@ -140,6 +140,7 @@ impl CardDesk {
                 refused: Vec::new(),
                 replaces: None,
                 unread: None,
+                kept: None,
                 notes: Vec::new(),
                 ..now.controller_card.clone()
             };
@@ -331,6 +332,11 @@ impl Task {
         let text = self.reads(name)?;
         let leave = if replaces { Leave::Anything } else { Leave::Nothing };
         files.save(&bare, text.as_bytes(), &leave)?;
+        self.hub.changing(|now| {
+            let kept = Some(bare.into_owned());
+            let card = ControllerCard { kept, ..now.controller_card.clone() };
+            vec![Change::ControllerCard { controller_card: card }]
+        });
         Ok(())
     }
 

@@ -22,6 +22,8 @@ pub struct ControllerCard {
     pub replaces: Option<String>,
     /// Name of the file whose text the last task could not read back: it may be run unseen.
     pub unread: Option<String>,
+    /// Name of the file of the part folder into which the last task has copied one.
+    pub kept: Option<String>,
     /// Notes of the last task: what a conversion left out or made otherwise.
     pub notes: Vec<String>,
 }
