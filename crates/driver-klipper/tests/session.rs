@@ -181,6 +181,20 @@ fn a_shutdown_is_cleared_where_somebody_has_looked_why() {
 }
 
 #[test]
+fn a_shutdown_is_cleared_over_faulty_lines() {
+    // Questions are asked twice there, and some answers are from before.
+    for seed in 0..200 {
+        let mut world = World::ready(300 + seed, Faults::all(0.03));
+        world.fake.shut("ADC out of range");
+        let options = Options { clears: true, ..Options::default() };
+        world.host = kerf_driver_klipper::board::Board::new(setup(), options, world.now_s);
+        world.news.clear();
+        let told = world.wait(|news| ready(news) || matches!(news, News::Fault(_)));
+        assert!(ready(&told), "seed {seed}: {told:?}");
+    }
+}
+
+#[test]
 fn a_board_that_restarts_is_told() {
     for seed in 0..20 {
         let mut world = World::ready(6 + seed, Faults::default());
