@@ -90,7 +90,9 @@ it("gives an upload up where it is cancelled, and at STOP", async () => {
 it("asks before a file is run, which the machine has to be armed for", async () => {
   await press("Run long.nc…");
   const question = sheet().getByRole("region", { name: "Run long.nc?" });
-  await question.getByText(/It takes about 0:4\d/).waitFor();
+  await question.waitFor();
+  // From where the machine stands to X-300 and back, at 900 mm a minute.
+  await expect.poll(() => question.textContent()).toMatch(/It takes about 0:4\d/);
   await question.getByText(/by itself, from where it stands, at its zero point G54/).waitFor();
   expect(await question.getByRole("button", { name: "Run it", exact: true }).isDisabled()).toBe(
     true,

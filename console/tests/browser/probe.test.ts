@@ -4,7 +4,7 @@ import type { Page } from "playwright-core";
 import { beforeAll, expect, it } from "vitest";
 import type { Controller } from "./controller";
 import { driveController } from "./driven";
-import { act, arm, script, stateOf, until, violations, type Workshop } from "./workshop";
+import { act, arm, carryOut, stateOf, until, violations, type Workshop } from "./workshop";
 
 let controller: Controller;
 let workshop: Workshop;
@@ -83,8 +83,7 @@ it("finds the middle of a bore to 0.01 mm, which becomes zero", async () => {
 });
 
 it("finds a corner to 0.01 mm in X, Y and Z", async () => {
-  await script(workshop, "command", { line: "J2,.04,-.04" });
-  await until(async () => (await stateOf(workshop)).machine.state === "idle", "it stands");
+  await carryOut(workshop, null, "J2,.04,-.04");
   const { place } = await controller.look();
   const [x0 = 0, y0 = 0, z0 = 0] = place;
   controller.work("nothing");

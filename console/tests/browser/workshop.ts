@@ -81,10 +81,11 @@ export async function command(page: Page, line: string): Promise<void> {
   await page.keyboard.press("Enter");
 }
 
-/** Types a line and waits until it is done. */
-export async function carryOut(workshop: Workshop, page: Page, line: string): Promise<void> {
+/** Types a line, or has a script send it where there is no page, and waits until it is done. */
+export async function carryOut(workshop: Workshop, page: Page | null, line: string): Promise<void> {
   const before = (await stateOf(workshop)).job?.run ?? 0;
-  await command(page, line);
+  if (page) await command(page, line);
+  else await script(workshop, "command", { line });
   await until(async () => {
     const { job, machine } = await stateOf(workshop);
     return (job?.run ?? 0) > before && machine.state === "idle";
