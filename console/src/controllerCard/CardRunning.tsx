@@ -21,7 +21,7 @@ export function CardRunning({ job }: { job: CurrentRun }) {
         className="controller-card-progress"
         value={motion.progress}
         max={1}
-        aria-label={t("Share of the file that is read")}
+        aria-label={t("Progress of the file")}
       />
       <p role="status">{runText(job, motion)}</p>
       {machine.why !== null && <p role="note">{words(machine.why)}</p>}

@@ -17,7 +17,7 @@ const doing: Readonly<Record<CardTask["kind"], string>> = {
   keep: t("{0} is copied into the part folder."),
 };
 
-/** What is done on the card, with the bytes that are there. */
+/** Words for the task on the card, with the bytes that are there. */
 export function taskText({ kind, name, done, all }: CardTask): string {
   const words = doing[kind].replace("{0}", name);
   if (done === 0) return words;
@@ -41,10 +41,10 @@ export function filesText(files: readonly CardFile[]): string {
 export const timeOf = ({ looked }: CardFile): string =>
   looked ? t("about {0}", durationText(looked.seconds)) : "–";
 
-/** `12 %, about 3:04 left`; the share is that of the bytes that the controller has read. */
+/** `12 % is done, about 3:04 left`; of a file whose time is not known, the share of the bytes that the controller has read. */
 export function runText({ seconds }: CurrentRun, { progress, remaining }: Motion): string {
   const percent = Math.floor(progress * 100);
   return seconds > 0
-    ? t("{0} % of it is read, about {1} left", percent, durationText(remaining))
+    ? t("{0} % is done, about {1} left", percent, durationText(remaining))
     : t("{0} % of it is read; the time left is unknown: its text was not looked through", percent);
 }

@@ -9,7 +9,7 @@ const width = 320;
 
 /** The colour of a share of the range: blue is low, red is high. */
 const colour = (share: number): string =>
-  `color-mix(in hsl decreasing hue, var(--height-high) ${100 * share}%, var(--height-low))`;
+  `color-mix(in hsl increasing hue, var(--height-high) ${100 * share}%, var(--height-low))`;
 
 /** A grid of heights as coloured fields with numbers, as they lie on the table. */
 export function HeightPicture({ places }: { places: readonly Place[] }) {

@@ -24,7 +24,7 @@ const GRAIN_MM: f64 = 0.002;
 const SLACK: usize = 80;
 /// Time without a step after which the machine stood, seconds.
 const STAND_S: f64 = 0.02;
-/// Where the machine stands at the end, mm.
+/// Place at which the machine stands at the end, mm.
 pub const END_MM: [f64; 3] = [5.0, 8.0, 5.0];
 
 /// A stretch that is cut.

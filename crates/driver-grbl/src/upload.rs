@@ -48,7 +48,7 @@ const TRIES: u32 = 10;
 /// A packet that is not answered is sent again after this, seconds: a receiver that waits says so every second.
 const ANSWER_S: f64 = 3.0;
 
-/// Whoever says nothing for so long is gone, seconds.
+/// Silence after which a receiver counts as gone, seconds.
 const SILENT_S: f64 = 12.0;
 
 /// A receiver of XMODEM that has ended answers its line within this, seconds.

@@ -24,7 +24,7 @@ export const controllerCard: Readonly<Record<string, string>> = {
     "{0} Dateien, {1} zusammen. Die Steuerung nennt nicht, wie viel Platz noch ist.",
   "about {0}": "etwa {0}",
   "Estimated time": "Geschätzte Zeit",
-  "{0} % of it is read, about {1} left": "{0} % davon sind gelesen, noch etwa {1}",
+  "{0} % is done, about {1} left": "{0} % sind getan, noch etwa {1}",
   "{0} % of it is read; the time left is unknown: its text was not looked through":
     "{0} % davon sind gelesen; wie lange noch, ist unbekannt: ihr Text wurde nicht durchgesehen",
   "Replace {0}": "{0} ersetzen",
@@ -59,7 +59,7 @@ export const controllerCard: Readonly<Record<string, string>> = {
     "Der Teileordner hat keine Datei, die auf eine Karte geht.",
   "{0} runs from the card": "{0} läuft von der Karte",
   "{0} is held": "{0} ist angehalten",
-  "Share of the file that is read": "Gelesener Anteil der Datei",
+  "Progress of the file": "Fortschritt der Datei",
   "End the file: STOP": "Datei beenden: STOPP",
   "STOP slows it down, ends the file with the spindle off and lifts the tool.":
     "STOPP bremst sie ab, beendet die Datei mit abgeschalteter Spindel und hebt das Werkzeug.",

@@ -21,7 +21,7 @@ const ASKS: u32 = 16;
 /// A packet of which nothing more comes is spoiled after this, seconds.
 const PACKET_S: f64 = 1.0;
 
-/// What it throws away ends when nothing comes for so long, seconds.
+/// Silence that ends a spoiled packet which is thrown away, seconds.
 const QUIET_S: f64 = 0.1;
 
 /// It takes a packet that it has so often.

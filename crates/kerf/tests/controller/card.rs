@@ -75,16 +75,21 @@ fn a_file_beyond_the_limits_is_neither_put_there_nor_begun() {
     assert_eq!(bench.look(|fake| fake.card().files.len()), 1);
 }
 
-#[test]
-fn ctrl_c_ends_the_file_with_the_spindle_off_and_the_tool_lifted() {
-    let (shop, bench) = (Shop::new(&[]), bench());
-    let run = started(&bench, &shop, "run square.nc");
+/// Runs a file of the card, and presses Ctrl-C while it cuts.
+pub fn ctrl_c_ends_square(bench: &Bench) {
+    let shop = Shop::new(&[]);
+    let run = started(bench, &shop, "run square.nc");
     bench.until(|fake| fake.position().0[0] > 5.0);
     let done = interrupted(run);
     assert_eq!(done.status.code(), Some(3), "{}", String::from_utf8_lossy(&done.stderr));
     let (spindle, at) = bench.look(|fake| (fake.spindle(), fake.position().0));
     assert_eq!(spindle, None);
     assert!((at[2] - 25.4).abs() < 0.01 && at[0] < 29.0, "{at:?}");
+}
+
+#[test]
+fn ctrl_c_ends_the_file_with_the_spindle_off_and_the_tool_lifted() {
+    ctrl_c_ends_square(&bench());
 }
 
 #[test]

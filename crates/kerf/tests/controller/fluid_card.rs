@@ -1,7 +1,7 @@
 //! `kerf machine card` on `FluidNC`: its own words, XMODEM on a line that loses packets, and its refusals.
 
 use crate::bench::Bench;
-use crate::card::{card, interrupted, started};
+use crate::card::{card, ctrl_c_ends_square, interrupted, started};
 use crate::shop::Shop;
 use kerf_driver_grbl::fake::{Board, Fake};
 
@@ -79,14 +79,7 @@ fn ctrl_c_ends_an_upload_and_its_line_is_one_of_lines_again() {
 
 #[test]
 fn ctrl_c_ends_the_file_with_the_spindle_off_and_the_tool_lifted() {
-    let (shop, bench) = (Shop::new(&[]), bench(&[("square.nc", SQUARE)]));
-    let run = started(&bench, &shop, "run square.nc");
-    bench.until(|fake| fake.position().0[0] > 5.0);
-    let done = interrupted(run);
-    assert_eq!(done.status.code(), Some(3), "{}", String::from_utf8_lossy(&done.stderr));
-    let (spindle, at) = bench.look(|fake| (fake.spindle(), fake.position().0));
-    assert_eq!(spindle, None);
-    assert!((at[2] - 25.4).abs() < 0.01 && at[0] < 29.0, "{at:?}");
+    ctrl_c_ends_square(&bench(&[("square.nc", SQUARE)]));
 }
 
 #[test]

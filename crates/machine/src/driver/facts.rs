@@ -1,4 +1,4 @@
-//! What a controller can do, as it told it.
+//! Facts that a controller told of itself: what it has, and what it can do.
 
 use kerf_motion::controllers as planners;
 use kerf_program::{AXES, Gauge, HeightLaw};

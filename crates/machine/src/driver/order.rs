@@ -1,4 +1,4 @@
-//! What a controller is told: orders in a row, and signals beside it.
+//! Orders that a controller carries out in a row, and signals that act at once.
 
 use kerf_program::{AXES, Axes};
 

@@ -15,6 +15,9 @@ use std::time::{Duration, Instant};
 /// Interval at which the progress of a task is told.
 const PROGRESS: Duration = Duration::from_millis(150);
 
+/// Share that is told at most of a file that has not ended.
+const MOST_DONE: f64 = 0.99;
+
 /// Said while the line to the controller is lost.
 const IS_LOST: &str =
     "the line to the controller is lost and is opened again; the file goes on without it";
@@ -26,6 +29,8 @@ pub struct CardRun {
     frame: Frame,
     /// Estimated time of all of it, seconds; 0 where its text is not known.
     seconds: f64,
+    /// The part of that time that is over, seconds; nothing before the first look at a file that somebody else has begun.
+    done_s: Option<f64>,
     begun: Instant,
     told: Option<Instant>,
     /// It was told to hold.
@@ -33,10 +38,16 @@ pub struct CardRun {
 }
 
 impl CardRun {
-    /// One that begins, or was begun by somebody else.
-    pub fn new(hub: Arc<Hub>, link: Arc<Link>, frame: Frame, job: &CurrentRun) -> Self {
+    /// One that begins here just now, or was begun by somebody else.
+    pub fn new(
+        (hub, link): (Arc<Hub>, Arc<Link>),
+        frame: Frame,
+        job: &CurrentRun,
+        begins: bool,
+    ) -> Self {
         let (seconds, begun) = (job.seconds, Instant::now());
-        Self { hub, link, frame, seconds, begun, told: None, is_held: false }
+        let done_s = begins.then_some(0.0);
+        Self { hub, link, frame, seconds, done_s, begun, told: None, is_held: false }
     }
 
     /// Tells pages where it is, some thirty times a second.
@@ -45,17 +56,20 @@ impl CardRun {
         if !is_new && self.is_held == state.is_held {
             return;
         }
+        let gap_s = self.told.map_or(0.0, |told| told.elapsed().as_secs_f64());
+        let went_s = if self.is_held { 0.0 } else { gap_s };
         (self.told, self.is_held) = (Some(Instant::now()), state.is_held);
+        let read = state.job.percent.map_or(0.0, |percent| percent / 100.0);
+        let feed = self.hub.read(|now| now.overrides.feed_percent) / 100.0;
+        let [progress, remaining] = self.passes(went_s, read, feed);
         let frame = &self.frame;
         self.hub.changing(|now| {
             let at = state.place.map_or(now.motion.at, |place| to_wire::positions(frame, place));
-            let progress = state.job.percent.map_or(0.0, |percent| percent / 100.0);
-            let feed = now.overrides.feed_percent / 100.0;
             let motion = Motion {
                 at,
                 progress,
                 line: state.job.line.unwrap_or(0),
-                remaining: self.seconds * (1.0 - progress) / feed,
+                remaining,
                 elapsed: self.begun.elapsed().as_secs_f64(),
                 ..Motion::default()
             };
@@ -69,6 +83,17 @@ impl CardRun {
             let machine = (machine != now.machine).then_some(Change::Machine { machine });
             machine.into_iter().chain([Change::Motion { motion }]).collect()
         });
+    }
+
+    /// Time passes in which it goes on, at such a share of its feed. Returns how much of it is done, and the seconds that are
+    /// left. A controller reads a short file at once: the share of its bytes tells only where one stands that was begun before.
+    fn passes(&mut self, went_s: f64, read: f64, feed: f64) -> [f64; 2] {
+        if self.seconds == 0.0 {
+            return [read, 0.0];
+        }
+        let done_s = self.done_s.get_or_insert(self.seconds * read);
+        *done_s = (*done_s + went_s * feed).min(self.seconds);
+        [(*done_s / self.seconds).min(MOST_DONE), (self.seconds - *done_s) / feed]
     }
 
     /// Returns what somebody at a page wishes of it. Kerf that ends leaves it alone.

@@ -160,7 +160,7 @@ impl Owner {
         // Nobody waits for it where the server is closing.
         drop(tells.send(done));
         if begun {
-            self.follows_card();
+            self.follows_card(true);
         }
     }
 
@@ -177,7 +177,7 @@ impl Owner {
             follows.then_some(Change::Machine { machine }).into_iter().collect()
         });
         if follows {
-            self.follows_card();
+            self.follows_card(false);
         }
     }
 
@@ -193,8 +193,8 @@ impl Owner {
         }
     }
 
-    /// Follows a file that the controller runs from its own card to its end.
-    fn follows_card(&mut self) {
+    /// Follows a file that the controller runs from its own card to its end: one that begins here, or was begun before.
+    fn follows_card(&mut self, begins: bool) {
         let Some(controller) = self.workshop.controller.clone() else { return };
         let Some(CardJob { name, .. }) = controller.card_job() else {
             return self.rest(State::Idle, None);
@@ -203,7 +203,8 @@ impl Owner {
         let job = CurrentRun { file: name, from_card: true, seconds, ..CurrentRun::default() };
         let job = self.tell_begun(job, &Planned::default());
         let frame = self.workshop.session.memory.frame;
-        let run = RefCell::new(CardRun::new(self.hub.clone(), self.link.clone(), frame, &job));
+        let ends = (self.hub.clone(), self.link.clone());
+        let run = RefCell::new(CardRun::new(ends, frame, &job, begins));
         self.link.arrived().runs(true);
         let ended = controller
             .follows_card(&mut |state| run.borrow_mut().tells(state), &mut || {

@@ -20,7 +20,7 @@ pub struct LastState {
     pub journal: Option<Journal>,
     /// Which files lists show.
     pub mask: String,
-    /// What a file for the card of the controller is held against, where it has told that.
+    /// Limits against which a file for the card of the controller is held, where it has told them.
     pub limits: Option<Lacks>,
 }
 

@@ -152,7 +152,7 @@ pub enum Order {
         setting: &'static Setting,
         /// The configuration.
         wanted: Box<Configuration>,
-        /// What the history of changes gets to know when it is on the disk.
+        /// The change that is entered in the history when it is on the disk.
         change: Option<SettingChange>,
         /// Told whether it is on the disk.
         tells: Sender<Result<(), String>>,
