@@ -173,6 +173,8 @@ impl Card {
         if self.runs() || self.is_asked() {
             return Err(BUSY.into());
         }
+        // What nobody has asked for of a task before is no answer to this one.
+        self.news = None;
         let line = match (&task, words) {
             (CardTask::List, Words::Hal { .. }) => "$F+".to_owned(),
             (CardTask::List, Words::Fluid) => FLUID_LIST.to_owned(),

@@ -93,6 +93,8 @@ pub struct Grbl {
     pub(crate) queue: VecDeque<Line>,
     /// Lines that were sent and not answered.
     pub(crate) pending: VecDeque<Line>,
+    /// Questions that it has put aside until the tool is in for which it waits: it answers them then, before all else.
+    pub(crate) aside: VecDeque<Line>,
     pub(crate) out: Vec<u8>,
     pub(crate) flights: Flights,
     /// Place where the last order leaves the machine.
@@ -186,6 +188,7 @@ impl Grbl {
             hearing: Vec::new(),
             queue: VecDeque::new(),
             pending: VecDeque::new(),
+            aside: VecDeque::new(),
             out: Vec::new(),
             flights: Flights::default(),
             planned: Axes::default(),
@@ -272,6 +275,7 @@ impl Grbl {
         (self.told, self.mended, self.busy) = (KnownFacts::default(), false, false);
         self.kept = KeptSettings::default();
         (self.queue, self.pending) = (VecDeque::new(), VecDeque::new());
+        self.aside.clear();
         // An empty line first: whatever stands half received is answered and gone.
         ["", "$I", "$$", "$G", "$#"].into_iter().for_each(|line| self.say(line));
     }

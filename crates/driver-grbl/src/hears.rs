@@ -61,6 +61,7 @@ impl Grbl {
     /// It has started.
     fn greeted(&mut self, now_s: f64) {
         self.pending.clear();
+        self.aside.clear();
         (self.on, self.has_started) = (0, true);
         match self.phase {
             Phase::Resetting => {
@@ -80,7 +81,9 @@ impl Grbl {
         if self.phase == Phase::Gap {
             return gap::answers_in_gap(self);
         }
-        let Some(line) = self.pending.pop_front() else { return self.replies.push(Err(Garbled)) };
+        // The answers to what it had put aside may come before the report that it goes on.
+        let line = self.pending.pop_front().or_else(|| self.aside.pop_front());
+        let Some(line) = line else { return self.replies.push(Err(Garbled)) };
         self.asked_s = now_s;
         if let Some(ticket) = line.ticket
             && self.flights.answered(ticket)
@@ -258,6 +261,10 @@ impl Grbl {
     /// It waits for a tool, or does no more. What it is asked about itself it answers once it was told that it was heard.
     fn hears_of_tool(&mut self, doing: Doing, now_s: f64) {
         self.tool.sees(doing, !self.flights.is_empty());
+        if !self.tool.is_on() {
+            let since = std::mem::replace(&mut self.pending, std::mem::take(&mut self.aside));
+            self.pending.extend(since);
+        }
         if matches!(self.phase, Phase::Silent | Phase::Asked) && self.tool.hears() {
             self.out.push(TOOL);
             self.ask_all(now_s);

@@ -21,8 +21,11 @@ impl Grbl {
             }
             Signal::Stop => self.stop(now_s),
             Signal::ByHand => {
-                let rests = self.has_said_all() && self.flights.is_empty();
+                let asks = self.pending.iter().all(|line| line.ticket.is_none());
+                let rests = asks && self.queue.is_empty() && self.flights.is_empty();
                 if self.phase == Phase::Ready && rests && self.tool.hears() {
+                    // A question that was on its way when it began to wait is answered when the tool is in.
+                    self.aside.append(&mut self.pending);
                     self.out.push(TOOL);
                 }
             }

@@ -9,8 +9,9 @@
 //! By its setting `$341` it wants the tool touched off first, by `$TPW`: it probes down where it stands, lifts, and shifts Z by the
 //! difference to the tool that is the reference (`[TLR:…]` of `$#`). Where none is, `$TLR` makes this tool the one.
 //!
-//! What was sent before is answered behind that; so the first 0xA3 waits until nothing is unanswered, and until somebody
-//! moves the machine by hand: what a job sends meanwhile would be jogs otherwise.
+//! What was sent before is answered when the tool is in. So the first 0xA3 waits until no order is unanswered, and until
+//! somebody moves the machine by hand: what a job sends meanwhile would be jogs otherwise. Questions that were on their way are
+//! put aside here, too ([`Grbl::aside`](crate::driver::Grbl)).
 
 use crate::report::Doing;
 use kerf_machine::driver::TouchOff;

@@ -118,6 +118,22 @@ fn a_full_card_and_a_stop_end_an_upload_and_nothing_of_it_is_kept() {
 }
 
 #[test]
+fn the_end_of_an_upload_is_no_answer_to_what_is_asked_after_it() {
+    let mut link = attached(&[("box.nc", SQUARE)]);
+    looks(&mut link, 0.0, 1.0);
+    let upload = CardTask::Upload { name: "a.nc".into(), content: vec![b'\n'; 5000] };
+    link.driver().grbl.does_on_card(upload).unwrap();
+    link.poll(1.0);
+    link.driver().grbl.leaves_card();
+    link.poll(1.02);
+    link.driver().grbl.does_on_card(CardTask::Show("box.nc".into())).unwrap();
+    let news = link.driver().grbl.card_news();
+    assert_eq!(news, None, "nothing is answered yet");
+    let text = CardAnswer { text: SQUARE.into(), ..CardAnswer::default() };
+    assert_eq!(looks(&mut link, 1.04, 1.0), done(text));
+}
+
+#[test]
 fn a_file_that_it_runs_is_followed_to_its_end() {
     let inches = "G20G90\nM3S9000\nG1X1F47\nG1X0\nM5\nM30\n";
     let mut link = attached(&[("box.nc", inches)]);

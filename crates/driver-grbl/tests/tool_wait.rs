@@ -69,6 +69,28 @@ fn it_takes_jogs_while_it_waits_and_goes_on_when_the_tool_is_in() {
 }
 
 #[test]
+fn a_question_that_was_on_its_way_does_not_keep_it_from_jogs_and_is_answered_when_the_tool_is_in() {
+    let mut link = Link::new(Wire::new(Fake::of(Board::hal(0), &[])));
+    let now_s = looks(&mut link, 0.0, 1.0);
+    link.driver().grbl.asks("$G").unwrap();
+    // It begins to wait before the question is there.
+    let now_s = changes(&mut link, now_s);
+    link.order(Order::Jog { to: Axes::xyz(3.0, -2.0, 0.0), speed_mm_s: 20.0 });
+    let took_s = run(&mut link, now_s, |_, _| {});
+    let fake = &link.driver().fake;
+    assert!(fake.waits_for_tool() && fake.position().0[0] == 3.0, "{:?}", fake.lines);
+    link.driver().signal(Signal::ToolIn, now_s + took_s);
+    let now_s = looks(&mut link, now_s + took_s, 1.0);
+    let Wire { grbl, fake, .. } = link.driver();
+    assert!(!fake.waits_for_tool() && grbl.has_said_all() && grbl.trouble().is_none());
+    assert!(fake.lines.iter().any(|line| line == "$G"), "{:?}", fake.lines);
+    let order = Order::Move { to: Axes::xyz(5.0, 0.0, 0.0), speed_mm_s: 20.0 };
+    link.order(order);
+    run(&mut link, now_s, |_, _| {});
+    assert_eq!(link.driver().fake.position().0[0], 5.0);
+}
+
+#[test]
 fn a_jog_that_is_ended_leaves_it_waiting() {
     let (mut link, now_s) = changing();
     link.order(Order::Jog { to: Axes::xyz(50.0, 0.0, 0.0), speed_mm_s: 20.0 });

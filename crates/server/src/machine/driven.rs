@@ -147,9 +147,11 @@ impl Owner {
             let missing = "there is no controller that has a card";
             let controller = self.workshop.controller.as_ref().ok_or(missing)?;
             let mut goes = |done, all| progress.goes(done, all);
-            // One that begins a file hears a stop when it runs.
-            let mut is_stopped =
-                || !runs && (given_up.load(Ordering::Relaxed) || link.lock().is_to_stop());
+            // One that begins a file hears a stop when it runs. A stop gives up the whole task.
+            let mut is_stopped = || {
+                let stops = !runs && link.lock().is_to_stop();
+                given_up.fetch_or(stops, Ordering::Relaxed) || stops
+            };
             controller.does_on_card(task, &mut goes, &mut is_stopped)
         });
         let begun = runs && done.is_ok();
